@@ -34,7 +34,7 @@ template <typename AddShape>
 void Canvas::paint(Color color, AddShape add_shape) {
   mesh_.clear();
   add_shape(mesh_);
-  if (!mesh_.indices.empty() && color.a > 0) paint_mesh(mesh_, color);
+  if (!mesh_.is_empty() && color.a > 0) paint_mesh(mesh_, color);
 }
 
 void Canvas::polygon(std::span<const Vec2> corners, Color color) {
@@ -81,7 +81,7 @@ void Canvas::skyline(std::span<const Vec2> line, const SkylineLook& look) {
 }
 
 void Canvas::mesh(const Mesh& mesh, Color color) {
-  if (!mesh.indices.empty() && color.a > 0 && is_paintable(mesh)) paint_mesh(mesh, color);
+  if (!mesh.is_empty() && color.a > 0 && is_paintable(mesh)) paint_mesh(mesh, color);
 }
 
 void Canvas::panel(Vec2 top_left, Vec2 size, double corner_radius, Color color) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/draw/arcs.h"
 #include "engine/draw/line_profile.h"
 
 namespace engine {
@@ -17,12 +18,16 @@ using ribbon::Vec2;
 constexpr double max_coordinate = 1e12;   // px; above it doubles do not resolve a pixel
 constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
 constexpr double merge_distance = 0.01;   // px; points closer than this are merged
-constexpr double max_chord_error = 0.05;  // px, between an arc and its chords
 
 bool drawable(double x) { return std::abs(x) <= max_coordinate; }  // false for NaN
 bool drawable(Vec2 p) { return drawable(p.x) && drawable(p.y); }
 bool drawable(std::span<const Vec2> points) {
   return std::all_of(points.begin(), points.end(), [](Vec2 p) { return drawable(p); });
+}
+
+bool is_valid(const Profile& profile) {
+  return profile.core >= 0.0 && profile.outer > profile.core && drawable(profile.outer) && profile.cover >= 0.0 &&
+         profile.cover <= 1.0;
 }
 
 Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -41,70 +46,6 @@ void add_triangle(Mesh& mesh, int a, int b, int c) {
 void add_quad(Mesh& mesh, int a, int b, int c, int d) {
   add_triangle(mesh, a, b, c);
   add_triangle(mesh, a, c, d);
-}
-
-// The volume of a truncated cone of height 1 with radii o, c = r ± 1/2 is π/3 (o² + oc + c²) = π (r² + 1/12).
-// With r² = radius² − 1/12 the disc has the exact total cover.
-Profile disc_profile(double radius) {
-  const double squared = radius * radius - 1.0 / 12.0;
-  if (squared < 0.25) return {0.0, 1.0, std::min(1.0, 3.0 * radius * radius)};
-  return {std::sqrt(squared) - 0.5, std::sqrt(squared) + 0.5, 1.0};
-}
-
-int arc_steps(double radius, double sweep) {
-  const double step = 2.0 * std::acos(1.0 - std::min(max_chord_error / radius, 0.5));
-  return static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / step), 1.0, 512.0));
-}
-
-/// Returns the factor of the radius with which the chords enclose the area of the disc.
-double chord_compensation(double step) {
-  const double angle = std::abs(step);
-  return angle > 1e-6 ? std::sqrt(angle / std::sin(angle)) : 1.0;
-}
-
-/// A sector of a disc with the border along its arc.
-void add_sector(Mesh& mesh, Vec2 center, const Profile& profile, double start, double sweep) {
-  const int steps = arc_steps(profile.outer, sweep);
-  const double step = sweep / steps;
-  const double grow = chord_compensation(step);
-  const int middle = add_vertex(mesh, center, profile.cover);
-  for (int k = 0; k <= steps; ++k) {
-    const Vec2 out = direction_of(start + k * step);
-    const int core = add_vertex(mesh, center + profile.core * grow * out, profile.cover);
-    const int outer = add_vertex(mesh, center + profile.outer * grow * out, 0.0);
-    if (k == 0) continue;
-    add_triangle(mesh, middle, core - 2, core);
-    add_quad(mesh, core - 2, outer - 2, outer, core);
-  }
-}
-
-void add_full_disc(Mesh& mesh, Vec2 center, const Profile& profile) {
-  add_sector(mesh, center, profile, 0.0, 2.0 * std::numbers::pi);
-}
-
-/// A straight piece of a line with square ends and the borders along its two sides.
-void add_bar(Mesh& mesh, Vec2 from, Vec2 to, const Profile& profile) {
-  const Vec2 across = perp((1.0 / length(to - from)) * (to - from));
-  const std::array<std::pair<double, double>, 4> rails{
-      {{profile.outer, 0.0}, {profile.core, profile.cover}, {-profile.core, profile.cover}, {-profile.outer, 0.0}}};
-  int previous = -1;
-  for (const auto& [offset, cover] : rails) {
-    const int at_from = add_vertex(mesh, from + offset * across, cover);
-    const int at_to = add_vertex(mesh, to + offset * across, cover);
-    if (previous >= 0) add_quad(mesh, previous, previous + 1, at_to, at_from);
-    previous = at_from;
-  }
-}
-
-/// Fills the wedge that two bars leave open on the outside of a bend. This completes the line for any bend: a point
-/// near the line is nearest either to the interior of a piece, and so in its bar, or to a joint, and so beyond the end
-/// of one piece and before the start of the other, which is this wedge.
-void add_joint(Mesh& mesh, Vec2 before, Vec2 at, Vec2 after, const Profile& profile) {
-  const Vec2 in = at - before;
-  const Vec2 out = after - at;
-  const double turn = std::atan2(cross(in, out), dot(in, out));
-  const Vec2 outside = turn > 0.0 ? -perp(in) : perp(in);
-  add_sector(mesh, at, profile, std::atan2(outside.y, outside.x), turn);
 }
 
 /// Returns the points without those that coincide with the one before. Copies them only if there are such points: most
@@ -163,47 +104,40 @@ std::vector<Edge> boundary(std::span<const int> indices) {
 bool is_paintable(const Mesh& mesh) {
   const auto known = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < mesh.vertices.size(); };
   const auto valid = [](const MeshVertex& v) { return drawable(v.at) && v.cover >= 0.0 && v.cover <= 1.0; };
+  const auto is_bar = [](const MeshBar& bar) {
+    return drawable(bar.from) && drawable(bar.to) && !(bar.from == bar.to) && is_valid(bar.profile);
+  };
+  const auto is_ring = [](const MeshRing& ring) {
+    return drawable(ring.center) && drawable(ring.radius) && ring.radius >= 0.0 && is_valid(ring.profile);
+  };
   return std::all_of(mesh.indices.begin(), mesh.indices.end(), known) &&
-         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), valid);
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), valid) &&
+         std::all_of(mesh.bars.begin(), mesh.bars.end(), is_bar) &&
+         std::all_of(mesh.rings.begin(), mesh.rings.end(), is_ring);
 }
 
 void add_disc(Mesh& mesh, Vec2 center, double radius) {
   if (!drawable(center) || !drawable(radius) || radius <= 0.0) return;
-  add_full_disc(mesh, center, disc_profile(radius));
+  mesh.rings.push_back({center, 0.0, disc_profile(radius)});
 }
 
 void add_ring(Mesh& mesh, Vec2 center, double radius, double width) {
   if (!drawable(center) || !drawable(radius) || !drawable(width) || radius <= 0.0 || width <= 0.0) return;
   const Profile profile = line_profile(width);
   if (profile.outer >= radius) return add_disc(mesh, center, radius + width / 2.0);
-  const int steps = arc_steps(radius + profile.outer, 2.0 * std::numbers::pi);
-  const double step = 2.0 * std::numbers::pi / steps;
-  const double grow = chord_compensation(step);
-  for (int k = 0; k <= steps; ++k) {
-    const Vec2 out = grow * direction_of(k * step);
-    const int rail = add_vertex(mesh, center + (radius - profile.outer) * out, 0.0);
-    add_vertex(mesh, center + (radius - profile.core) * out, profile.cover);
-    add_vertex(mesh, center + (radius + profile.core) * out, profile.cover);
-    add_vertex(mesh, center + (radius + profile.outer) * out, 0.0);
-    if (k == 0) continue;
-    for (int i = rail; i < rail + 3; ++i) add_quad(mesh, i - 4, i - 3, i + 1, i);
-  }
+  mesh.rings.push_back({center, radius, profile});
 }
 
+/// A point near the line is nearest either to the inside of a piece, and so in its bar, or to a joint or an end, and so
+/// in the disc around it, which has the cover of the line at this distance.
 void add_polyline(Mesh& mesh, std::span<const Vec2> points, double width) {
   if (!drawable(points) || !drawable(width) || width <= 0.0) return;
   std::vector<Vec2> copy;
   const std::span<const Vec2> p = distinct(points, copy);
   if (p.size() < 2) return;
   const Profile profile = line_profile(width);
-  for (std::size_t i = 1; i < p.size(); ++i) add_bar(mesh, p[i - 1], p[i], profile);
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) add_joint(mesh, p[i - 1], p[i], p[i + 1], profile);
-  const auto add_cap = [&](Vec2 end, Vec2 inner) {
-    const Vec2 side = perp(inner - end);
-    add_sector(mesh, end, profile, std::atan2(side.y, side.x), std::numbers::pi);
-  };
-  add_cap(p.front(), p[1]);
-  add_cap(p.back(), p[p.size() - 2]);
+  for (std::size_t i = 1; i < p.size(); ++i) mesh.bars.push_back({p[i - 1], p[i], profile});
+  for (const Vec2 joint : p) mesh.rings.push_back({joint, 0.0, profile});
 }
 
 void add_convex(Mesh& mesh, std::span<const Vec2> corners) {
@@ -247,9 +181,10 @@ void add_triangles(Mesh& mesh, std::span<const Vec2> vertices, std::span<const i
        boundary(std::vector<int>(mesh.indices.begin() + static_cast<std::ptrdiff_t>(before), mesh.indices.end()))) {
     const Vec2 from = mesh.vertices[static_cast<std::size_t>(a)].at;
     const Vec2 to = mesh.vertices[static_cast<std::size_t>(b)].at;
-    add_bar(mesh, from, to, rim);
-    add_full_disc(mesh, from, rim);
-    add_full_disc(mesh, to, rim);
+    if (length(to - from) <= merge_distance) continue;
+    mesh.bars.push_back({from, to, rim});
+    mesh.rings.push_back({from, 0.0, rim});
+    mesh.rings.push_back({to, 0.0, rim});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/draw/line_profile.h"
 #include "ribbon/vec2.h"
 
 namespace engine {
@@ -14,22 +15,42 @@ struct MeshVertex {
   double cover = 1.0;
 };
 
-/// Triangles, three indices each, in either order. Where they overlap, the largest cover counts.
+/// A straight piece of a line, with square ends. The cover depends on the distance from its middle line.
+struct MeshBar {
+  ribbon::Vec2 from, to;  ///< px, apart
+  Profile profile;
+};
+
+/// A circle. The cover depends on the distance from it; a circle of radius 0 is a disc.
+struct MeshRing {
+  ribbon::Vec2 center;  ///< px
+  double radius;        ///< px
+  Profile profile;
+};
+
+/// Triangles, three indices each, in either order; bars and rings, which cost a fraction of the triangles that they
+/// replace. Where these overlap, the largest cover counts.
 struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<int> indices;
+  std::vector<MeshBar> bars;
+  std::vector<MeshRing> rings;
 
+  bool is_empty() const { return indices.empty() && bars.empty() && rings.empty(); }
   void clear() {
     vertices.clear();
     indices.clear();
+    bars.clear();
+    rings.clear();
   }
 };
 
-/// Returns whether all indices are in range, all coordinates within ±1e12 px and all covers within 0 … 1.
+/// Returns whether all indices are in range, all lengths within ±1e12 px, all covers within 0 … 1 and all bars and
+/// rings have a size.
 bool is_paintable(const Mesh& mesh);
 
 /// The functions below add a shape in pixels. They add nothing for input that is not finite, beyond ±1e12 px or without
-/// size, and no triangle without area.
+/// size, and no triangle without area. Lines, discs and rings add bars and rings, the others triangles.
 void add_disc(Mesh& mesh, ribbon::Vec2 center, double radius);
 /// An annulus of `width`, centred on the circle.
 void add_ring(Mesh& mesh, ribbon::Vec2 center, double radius, double width);

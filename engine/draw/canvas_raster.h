@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -34,7 +35,7 @@ class Raster {
   /// Fills a row, 0 … height − 1, with one colour.
   void fill_row(int row, std::uint32_t rgb);
   /// Blends the colour once over each pixel whose middle the mesh covers, with the largest cover of its triangles there
-  /// times opacity (0 … 255). Indices must be in range and corners finite.
+  /// times opacity (0 … 255) (raster_cover.cpp). The mesh must be paintable.
   void fill(const Mesh& mesh, std::uint32_t rgb, int opacity);
   /// Blends the triangles of the mesh in order (raster_textured.cpp). The mesh must be paintable.
   void fill(const TexturedMesh& mesh, const Texture& texture, const PixelBox& clip = {});
@@ -58,10 +59,16 @@ class Raster {
       *this = begin == end ? Range{from, to} : Range{begin < from ? begin : from, end > to ? end : to};
     }
   };
+  /// A corner of a textured triangle: its position in the image in texels, and its colour.
+  struct Corner {
+    ribbon::Vec2 at;
+    std::array<double, 6> values;
+  };
   class Painter;
+  class CoverPainter;
 
   void find_edges(std::span<const ribbon::Vec2> line, float none);
-  void cover_triangle(const MeshVertex& a, const MeshVertex& b, const MeshVertex& c);
+  void mark(int y, int begin, int end);
   void blend_row(int y, std::uint32_t rgb, int opacity);
 
   int width_;
@@ -70,8 +77,9 @@ class Raster {
   std::vector<std::uint8_t> cover_;    // zero between two fills
   std::vector<float> edges_;           // the y of a line at the middle of each column
   std::vector<std::uint32_t> texels_;  // scratch memory for a row of an image
-  std::vector<Range> rows_;            // the pixels of each row whose cover may be non-zero
-  Range touched_;                      // the rows whose cover may be non-zero
+  std::vector<Corner> corners_;        // scratch memory for a mesh
+  std::vector<std::uint64_t> marks_;   // a bit for each block of each row, set where the cover may be non-zero
+  Range touched_;                      // the rows with marks
 };
 
 }  // namespace engine

@@ -7,6 +7,12 @@ struct Profile {
   double core;
   double outer;
   double cover;
+
+  /// Returns the cover at a distance, px.
+  double at(double distance) const {
+    const double falling = cover * (outer - distance) / (outer - core);
+    return falling < 0.0 ? 0.0 : falling < cover ? falling : cover;
+  }
 };
 
 /// Returns the profile of a line of `width` px. A line narrower than a pixel has the same total cover, the area under

@@ -28,7 +28,12 @@ class Texels {
   std::ptrdiff_t column(std::int64_t x) const {
     return repeats ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
   }
+  /// Returns the same place of the image, in the image if it repeats; in units of 1/65536 texels.
+  std::int64_t wrapped_u(std::int64_t u) const { return repeat_u_ ? u & ((width_ << 16) - 1) : u; }
+  std::int64_t wrapped_v(std::int64_t v) const { return repeat_v_ ? v & ((height_ << 16) - 1) : v; }
   std::int64_t width() const { return width_; }
+  std::int64_t height() const { return height_; }
+  const std::uint32_t* data() const { return texels_; }
   bool repeats_along_u() const { return repeat_u_; }
   bool is_opaque() const { return is_opaque_; }
   const std::uint32_t* row(std::int64_t y) const {
@@ -63,6 +68,29 @@ inline constexpr std::int64_t half_texel = 32768;
 /// The weight of the next texel, 0 … 255.
 inline std::uint16_t weight_of(std::int64_t x) { return static_cast<std::uint16_t>((x & 0xffff) >> 8); }
 
+/// The weights of the next texel along a row of pixels, two by two: one for each channel of a Pair.
+class Weights {
+ public:
+  explicit Weights(const Ramp& position) : here_(lanes(position.here, position.here + position.step)) {
+    step_ = lanes(2 * position.step, 2 * position.step);
+  }
+  Pair next() {
+    const Pair weights = here_ >> 8;
+    here_ += step_;
+    return weights;
+  }
+
+ private:
+  /// The lower 16 bits of two positions.
+  static Pair lanes(std::int64_t first, std::int64_t second) {
+    const auto a = static_cast<std::uint16_t>(first);
+    const auto b = static_cast<std::uint16_t>(second);
+    return Pair{a, a, a, a, b, b, b, b};
+  }
+
+  Pair here_, step_;
+};
+
 template <bool repeats>
 struct Nearest {
   const Texels& texels;
@@ -95,30 +123,79 @@ struct NearestRow {
   }
 };
 
-template <bool repeats>
-struct Linear {
-  const Texels& texels;
-  Ramp u, v;
-
-  /// Returns two texels with their weights.
-  Pair one() {
-    const std::int64_t x = u.next() - half_texel;  // relative to the middle of a texel
-    const std::int64_t y = v.next() - half_texel;
-    const std::uint32_t* const upper = texels.row(y >> 16);
-    const std::uint32_t* const lower = texels.row((y >> 16) + 1);
-    const std::ptrdiff_t left = texels.column<repeats>(x >> 16);
-    const std::ptrdiff_t right = texels.column<repeats>((x >> 16) + 1);
-    const std::uint16_t down = weight_of(y);
-    const Pair above = lower_pair(Four{upper[left], upper[right], 0, 0});
-    const Pair below = lower_pair(Four{lower[left], lower[right], 0, 0});
-    const Pair both = (above * static_cast<std::uint16_t>(256 - down) + below * down + 128) >> 8;
-    return both * texel_weights[weight_of(x)];
-  }
-  Pair pair() {
-    const Pair first = one();
-    return mixed_texels(first, one());
-  }
+/// The texels around two positions: the left ones of the first and of the second, then the right ones.
+struct TexelQuads {
+  Four upper, lower;
 };
+
+/// Interpolates between four texels around each position.
+template <typename Neighbours>
+class Linear {
+ public:
+  /// `u` and `v`: relative to the middles of texels.
+  Linear(const Neighbours& neighbours, const Ramp& u, const Ramp& v)
+      : neighbours_(neighbours), u_(u), v_(v), right_(u), down_(v) {}
+
+  Pair pair() {
+    const TexelQuads quads = neighbours_(u_, v_);
+    const Pair down = down_.next();
+    const Pair left = mixed(lower_pair(quads.upper), lower_pair(quads.lower), down);
+    const Pair right = mixed(upper_pair(quads.upper), upper_pair(quads.lower), down);
+    return mixed(left, right, right_.next());
+  }
+
+ private:
+  Neighbours neighbours_;
+  Ramp u_, v_;
+  Weights right_, down_;
+};
+
+/// Finds them anywhere in a plane of repeated or extended images.
+template <bool repeats>
+struct NeighboursAnywhere {
+  const Texels& texels;
+
+  TexelQuads operator()(Ramp& u, Ramp& v) const {
+    const Rows first(texels, v.next());
+    const std::int64_t x = u.next() >> 16;
+    const Rows second(texels, v.next());
+    const std::int64_t z = u.next() >> 16;
+    const std::ptrdiff_t a = texels.column<repeats>(x);
+    const std::ptrdiff_t b = texels.column<repeats>(z);
+    const std::ptrdiff_t c = texels.column<repeats>(x + 1);
+    const std::ptrdiff_t d = texels.column<repeats>(z + 1);
+    return {Four{first.upper[a], second.upper[b], first.upper[c], second.upper[d]},
+            Four{first.lower[a], second.lower[b], first.lower[c], second.lower[d]}};
+  }
+
+ private:
+  struct Rows {
+    Rows(const Texels& texels, std::int64_t y) : upper(texels.row(y >> 16)), lower(texels.row((y >> 16) + 1)) {}
+    const std::uint32_t *upper, *lower;
+  };
+};
+
+/// Finds them where all are in the image.
+struct NeighboursInside {
+  const std::uint32_t* texels;
+  std::ptrdiff_t width;
+
+  TexelQuads operator()(Ramp& u, Ramp& v) const {
+    const std::uint32_t* const first = at(u, v);
+    const std::uint32_t* const second = at(u, v);
+    return {both_twos(first, second), both_twos(first + width, second + width)};
+  }
+
+ private:
+  const std::uint32_t* at(Ramp& u, Ramp& v) const { return texels + (v.next() >> 16) * width + (u.next() >> 16); }
+};
+
+/// Returns whether the texels around all positions of a row are in an image of this length. `count`: pixels.
+inline bool is_inside(const Ramp& position, int count, std::int64_t length) {
+  const std::int64_t first = position.here >> 16;
+  const std::int64_t last = (position.here + position.step * count) >> 16;  // one more, since they are read two by two
+  return std::min(first, last) >= 0 && std::max(first, last) + 1 < length;
+}
 
 /// Linear filtering along a row of the image (constant v): the texels that the pixels touch are interpolated
 /// vertically, and stored in a row.
@@ -128,9 +205,10 @@ class LinearRow {
   static bool suits(const Ramp& u, int count) { return touched(u, count) <= 4 * std::int64_t{count} + 8; }
 
   /// `store` is overwritten and has to live as long as this.
-  LinearRow(const Texels& texels, const Ramp& u, std::int64_t v, int count, std::vector<std::uint32_t>& store) : u_(u) {
+  LinearRow(const Texels& texels, const Ramp& u, std::int64_t v, int count, std::vector<std::uint32_t>& store)
+      : u_{u.here - half_texel, u.step}, weights_(u_) {
     const std::int64_t low = std::min(first(u), last(u, count));
-    u_.here -= half_texel + (low << 16);
+    u_.here -= low << 16;
     store.resize(static_cast<std::size_t>(touched(u, count)));
     const std::int64_t y = v - half_texel;
     const Rows rows{texels.row(y >> 16), texels.row((y >> 16) + 1), weight_of(y)};
@@ -142,13 +220,10 @@ class LinearRow {
     row_ = store.data();
   }
 
-  Pair one() {
-    const std::int64_t x = u_.next();
-    return load_pair(row_ + (x >> 16)) * texel_weights[weight_of(x)];
-  }
   Pair pair() {
-    const Pair first = one();
-    return mixed_texels(first, one());
+    const std::uint32_t* const first = row_ + (u_.next() >> 16);
+    const Four twos = both_twos(first, row_ + (u_.next() >> 16));
+    return mixed(lower_pair(twos), upper_pair(twos), weights_.next());
   }
 
  private:
@@ -157,9 +232,7 @@ class LinearRow {
     const std::uint32_t* lower;
     std::uint16_t weight;
 
-    Pair mix(Pair above, Pair below) const {
-      return (above * static_cast<std::uint16_t>(256 - weight) + below * weight + 128) >> 8;
-    }
+    Pair mix(Pair above, Pair below) const { return mixed(above, below, Pair{} + weight); }
   };
 
   static std::int64_t first(const Ramp& u) { return (u.here - half_texel) >> 16; }
@@ -190,6 +263,7 @@ class LinearRow {
   }
 
   Ramp u_;
+  Weights weights_;
   const std::uint32_t* row_ = nullptr;
 };
 

@@ -70,9 +70,16 @@ struct RampTint {
 /// `covers`: the colours are opaque.
 template <bool covers, typename Sample, typename Tint>
 void paint_pairs(std::uint32_t* pixel, int count, Sample sample, Tint tint) {
-  for (; count >= 2; count -= 2, pixel += 2) {
+  for (; count >= 4; count -= 4, pixel += 4) {
+    const Pair first = tint(sample.pair());
+    const Four color = joined(first, tint(sample.pair()));
+    store_four(pixel, covers ? color : over(color, load_four(pixel)));
+  }
+  if (count >= 2) {
     const Pair color = tint(sample.pair());
     store_pair(pixel, covers ? color : over(color, load_pair(pixel)));
+    count -= 2;
+    pixel += 2;
   }
   if (count == 0) return;
   const Pair color = tint(sample.pair());
@@ -99,12 +106,9 @@ inline void paint_flat(std::uint32_t* pixel, int count, Pair color) {
     std::fill_n(pixel, count, full & 0xffffffU);
     return;
   }
-  const Pair below = under(color);
-  for (; count >= 4; count -= 4, pixel += 4) {
-    const Four old = load_four(pixel);
-    store_four(pixel, joined(color + scaled(lower_pair(old), below), color + scaled(upper_pair(old), below)));
-  }
-  for (; count > 0; --count, ++pixel) store_one(pixel, color + scaled(load_one(pixel), below));
+  const Four four = joined(color, color);
+  for (; count >= 4; count -= 4, pixel += 4) store_four(pixel, over(four, load_four(pixel)));
+  for (; count > 0; --count, ++pixel) store_one(pixel, over(color, load_one(pixel)));
 }
 
 /// Copies a row of texels, one for each pixel.
@@ -117,8 +121,7 @@ inline void copy_texels(std::uint32_t* pixel, int count, const std::uint32_t* te
     if ((two[0] & two[1] & alphas) == alphas) {
       store_four(pixel, color);
     } else if ((two[0] | two[1]) != 0) {
-      const Four old = load_four(pixel);
-      store_four(pixel, joined(over(lower_pair(color), lower_pair(old)), over(upper_pair(color), upper_pair(old))));
+      store_four(pixel, over(color, load_four(pixel)));
     }
   }
   for (; count > 0; --count, ++pixel, ++texel) store_one(pixel, over(load_one(texel), load_one(pixel)));

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
+#include "engine/draw/arcs.h"
 #include "engine/draw/line_profile.h"
+#include "engine/draw/straight.h"
 
 namespace engine {
 namespace {
@@ -16,7 +19,6 @@ constexpr double max_coordinate = 1e12;   // px
 constexpr double max_uv = 1e6;            // above it the fixed-point numbers of the rasteriser do not resolve a texel
 constexpr double merge_distance = 0.01;   // px; points closer than this are merged
 constexpr double max_mitre_turn = 0.2;    // rad; sharper corners are round outside
-constexpr double max_chord_error = 0.05;  // px, between an arc and its chords
 constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
 
 bool within(double x, double limit) { return std::abs(x) <= limit; }  // false for NaN
@@ -98,8 +100,7 @@ void add_corner(Band& band, Band::Section section, const Corner& corner) {
   }
   // Inside the bend both pieces end at the intersection of their edges, if they are long enough.
   const bool meets = band.profile().outer * std::tan(0.5 * std::abs(turn)) <= corner.min_length;
-  const double step = 2.0 * std::acos(1.0 - std::min(max_chord_error / band.profile().outer, 0.5));
-  const int steps = static_cast<int>(std::clamp(std::ceil(std::abs(turn) / step), 1.0, 64.0));
+  const int steps = std::min(arc_steps(band.profile().outer, turn), 64);
   for (int k = 0; k <= steps; ++k) {
     const Vec2 normal = turned(before, turn * k / steps);
     section.lower = meets && turn > 0.0 ? mitre : normal;
@@ -108,13 +109,15 @@ void add_corner(Band& band, Band::Section section, const Corner& corner) {
   }
 }
 
-/// The distinct points of a line, by index, with their colours.
+/// The points of a line at which it bends, by index, with their colours. A line with colours of its own keeps all
+/// distinct points.
 class BandLine {
  public:
   BandLine(std::span<const Vec2> points, const BandLook& look) : points_(points), look_(look) {
     distinct_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       if (distinct_.empty() || length(points[i] - points[distinct_.back()]) > merge_distance) distinct_.push_back(i);
+    if (look.colors.empty() && distinct_.size() > 2) straighten();
   }
 
   std::size_t size() const { return distinct_.size(); }
@@ -127,6 +130,20 @@ class BandLine {
   }
 
  private:
+  /// Removes points that are within straight_within px of the line without them.
+  void straighten() {
+    std::size_t kept = 0;
+    Straight piece(point(0));
+    for (std::size_t k = 1; k + 1 < distinct_.size(); ++k) {
+      piece.pass(point(k));
+      if (piece.reaches(point(k + 1))) continue;
+      distinct_[++kept] = distinct_[k];
+      piece = Straight(point(kept));
+    }
+    distinct_[++kept] = distinct_.back();
+    distinct_.resize(kept + 1);
+  }
+
   std::span<const Vec2> points_;
   const BandLook& look_;
   std::vector<std::size_t> distinct_;
@@ -159,6 +176,29 @@ void add_shape(TexturedMesh& mesh, const Mesh& shape, const UvMap& map, Color co
     mesh.vertices.push_back({v.at, {dot(from, map.u_axis), dot(from, map.v_axis)}, color, v.cover});
   }
   for (const int i : shape.indices) mesh.indices.push_back(first + i);
+}
+
+void add_disc(TexturedMesh& mesh, Vec2 center, double radius, const UvMap& map, Color color) {
+  if (!within(center, max_coordinate) || !within(radius, max_coordinate) || radius <= 0.0) return;
+  const Profile profile = disc_profile(radius);
+  const int steps = arc_steps(profile.outer, 2.0 * std::numbers::pi);
+  const double step = 2.0 * std::numbers::pi / steps;
+  const double grow = chord_compensation(step);
+  const auto add_vertex = [&](Vec2 at, double cover) {
+    const Vec2 from = at - map.origin;
+    mesh.vertices.push_back({at, {dot(from, map.u_axis), dot(from, map.v_axis)}, color, cover});
+    return static_cast<int>(mesh.vertices.size()) - 1;
+  };
+  const int middle = add_vertex(center, profile.cover);
+  for (int k = 0; k <= steps; ++k) {
+    const Vec2 out = grow * turned({1.0, 0.0}, k * step);
+    const int core = add_vertex(center + profile.core * out, profile.cover);
+    const int outer = add_vertex(center + profile.outer * out, 0.0);
+    if (k == 0) continue;
+    add_triangle(mesh, middle, core - 2, core);
+    add_triangle(mesh, core - 2, outer - 2, outer);
+    add_triangle(mesh, core - 2, outer, core);
+  }
 }
 
 void add_band(TexturedMesh& mesh, std::span<const Vec2> points, const BandLook& look) {

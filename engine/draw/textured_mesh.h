@@ -61,8 +61,10 @@ struct UvMap {
   ribbon::Vec2 u_axis{0.01, 0.0};  ///< 1/px
   ribbon::Vec2 v_axis{0.0, 0.01};  ///< 1/px
 };
-/// Adds a shape whose triangles do not overlap: add_disc, add_convex, add_rounded_rectangle.
+/// Adds the triangles of a shape, which do not overlap: add_convex, add_rounded_rectangle.
 void add_shape(TexturedMesh& mesh, const Mesh& shape, const UvMap& map, Color color);
+/// Adds a disc, in pixels. Adds nothing for numbers that cannot be drawn.
+void add_disc(TexturedMesh& mesh, ribbon::Vec2 center, double radius, const UvMap& map, Color color);
 
 /// The appearance of a band along a line.
 struct BandLook {
@@ -76,8 +78,8 @@ struct BandLook {
 /// Adds a band of constant width along a line, in pixels. u runs along it; v across it, for a line to the right from 0
 /// on the upper side to 1 on the lower side. Bends are round outside; the ends are cut straight. Triangles overlap only
 /// in bends that are tighter than the band or at pieces shorter than its width: the later triangle is above, and there
-/// are no gaps. Points closer than 0.01 px are merged. Adds nothing for less than two distinct points or numbers that
-/// cannot be drawn.
+/// are no gaps. Points closer than 0.01 px are merged, and those on a straight part, within 0.03 px, are left out
+/// unless each has a colour. Adds nothing for less than two distinct points or numbers that cannot be drawn.
 void add_band(TexturedMesh& mesh, std::span<const ribbon::Vec2> points, const BandLook& look);
 
 }  // namespace engine

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
+
+#include "engine/draw/straight.h"
 
 namespace game {
 namespace {
@@ -44,19 +47,49 @@ void grow(Rails& rails, double pixels) {
   }
 }
 
+/// Returns the columns without those at which no row bends.
+std::vector<int> bends_of(const Rails& rails) {
+  std::vector<int> bends = {0};
+  std::vector<engine::Straight> pieces;
+  const auto begin_at = [&](int column) {
+    pieces.clear();
+    for (const std::vector<Vec2>& row : rails.rows) pieces.emplace_back(row[static_cast<std::size_t>(column)]);
+  };
+  begin_at(0);
+  for (int i = 1; i + 1 < rails.columns(); ++i) {
+    bool is_straight = true;
+    for (std::size_t j = 0; j < pieces.size(); ++j) {
+      pieces[j].pass(rails.at(i, static_cast<int>(j)));
+      is_straight = is_straight && pieces[j].reaches(rails.at(i + 1, static_cast<int>(j)));
+    }
+    if (is_straight) continue;
+    bends.push_back(i);
+    begin_at(i);
+  }
+  if (rails.columns() > 1) bends.push_back(rails.columns() - 1);
+  return bends;
+}
+
+std::vector<int> all_columns(int count) {
+  std::vector<int> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 /// A grid of vertices with a border in which the cover falls to 0. u runs along the cloth, in widths; v runs across it
 /// from 0 at the last row to 1 at the first.
 class ClothMesh {
  public:
-  ClothMesh(engine::TexturedMesh& mesh, const Rails& inner, const Rails& outer)
-      : mesh_(mesh), inner_(inner), outer_(outer) {}
+  /// `columns`: those that are drawn.
+  ClothMesh(engine::TexturedMesh& mesh, const Rails& inner, const Rails& outer, const std::vector<int>& columns)
+      : mesh_(mesh), inner_(inner), outer_(outer), columns_(columns) {}
 
   template <typename ColorOf>
   void build(double u_step, ColorOf color_of) {
-    const int columns = inner_.columns();
+    const int columns = static_cast<int>(columns_.size());
     const int rows = static_cast<int>(inner_.rows.size());
     for (int i = -1; i <= columns; ++i)
-      for (int j = -1; j <= rows; ++j) add_vertex(i, j, u_step, color_of(std::clamp(i, 0, columns - 1)));
+      for (int j = -1; j <= rows; ++j) add_vertex(i, j, u_step, color_of(column_at(i)));
     const int stride = rows + 2;
     for (int i = 0; i <= columns; ++i)
       for (int j = 0; j <= rows; ++j) {
@@ -66,11 +99,14 @@ class ClothMesh {
   }
 
  private:
+  int column_at(int i) const {
+    return columns_[static_cast<std::size_t>(std::clamp(i, 0, static_cast<int>(columns_.size()) - 1))];
+  }
   void add_vertex(int i, int j, double u_step, Color color) {
     const int rows = static_cast<int>(inner_.rows.size());
-    const int column = std::clamp(i, 0, inner_.columns() - 1);
+    const int column = column_at(i);
     const int row = std::clamp(j, 0, rows - 1);
-    const bool border = column != i || row != j;
+    const bool border = i < 0 || i >= static_cast<int>(columns_.size()) || row != j;
     const double v = 1.0 - static_cast<double>(row) / std::max(rows - 1, 1);
     mesh_.vertices.push_back(
         {(border ? outer_ : inner_).at(column, row), {u_step * column, v}, color, border ? 0.0 : 1.0});
@@ -79,6 +115,7 @@ class ClothMesh {
   engine::TexturedMesh& mesh_;
   const Rails& inner_;
   const Rails& outer_;
+  const std::vector<int>& columns_;
 };
 
 }  // namespace
@@ -99,7 +136,9 @@ void draw_cloth(Pen& pen, const DrawnCord& cord, int steps, Color color, const s
     return mix(colors[column], next, static_cast<double>(i % steps) / steps);
   };
   pen.mesh.clear();
-  ClothMesh(pen.mesh, inner, outer).build(spacing / (steps * cord.shape.thickness), color_of);
+  // Colours and their changes need all columns.
+  const std::vector<int> columns = colors.empty() ? bends_of(inner) : all_columns(inner.columns());
+  ClothMesh(pen.mesh, inner, outer, columns).build(spacing / (steps * cord.shape.thickness), color_of);
   pen.canvas.textured(pen.mesh, {&pen.images.cloth, engine::Filter::linear, engine::Wrap::repeat, engine::Wrap::clamp});
   // A dark edge for a clear silhouette. It is opaque, since it overlaps itself where the cloth bends more tightly than
   // the edge is wide.

@@ -58,12 +58,10 @@ void Pen::stamp(const Image& image, Vec2 center, Vec2 size, Color color) {
 void Pen::disc(const Image& image, Vec2 center, double radius, Color color, double angle) {
   const Vec2 middle = canvas.to_pixels(center);
   const double pixels = radius * scale();
-  shape.clear();
   mesh.clear();
-  engine::add_disc(shape, middle, pixels);
   const Vec2 u = 0.5 / pixels * Vec2{std::cos(angle), -std::sin(angle)};
   const Vec2 v{-u.y, u.x};
-  add_shape(mesh, shape, {middle - pixels * pixels * 2.0 * (u + v), u, v}, color);
+  add_disc(mesh, middle, pixels, {middle - pixels * pixels * 2.0 * (u + v), u, v}, color);
   canvas.textured(mesh, {&image, Filter::linear, Wrap::clamp, Wrap::clamp});
 }
 

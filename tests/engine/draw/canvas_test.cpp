@@ -15,6 +15,8 @@
 using engine::Align;
 using engine::Color;
 using engine::Mesh;
+using engine::MeshBar;
+using engine::MeshRing;
 using engine::MeshVertex;
 using engine::Raster;
 using ribbon::Vec2;
@@ -62,9 +64,17 @@ void each_triangle(const Mesh& mesh, Use use) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) use(vertex(i), vertex(i + 1), vertex(i + 2));
 }
 
-/// Returns the cover of the mesh at a point: the largest of the triangles over it.
+/// Returns the cover of the mesh at a point: the largest of all shapes over it.
 double cover_at(const Mesh& mesh, Vec2 p) {
   double most = 0.0;
+  for (const MeshBar& bar : mesh.bars) {
+    const Vec2 piece = bar.to - bar.from;
+    const double along = dot(p - bar.from, piece) / dot(piece, piece);
+    if (along < 0.0 || along > 1.0) continue;
+    most = std::max(most, bar.profile.at(std::abs(cross(piece, p - bar.from)) / length(piece)));
+  }
+  for (const MeshRing& ring : mesh.rings)
+    most = std::max(most, ring.profile.at(std::abs(length(p - ring.center) - ring.radius)));
   each_triangle(mesh, [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
     const double whole = triangle_area(a.at, b.at, c.at);
     const double wa = triangle_area(p, b.at, c.at) / whole;
@@ -86,6 +96,8 @@ double covered_pixels(const Mesh& mesh, int width, int height) {
 }
 
 void expect_sound(const Mesh& mesh) {
+  EXPECT_FALSE(mesh.is_empty());
+  EXPECT_TRUE(is_paintable(mesh));
   each_triangle(mesh, [](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
     EXPECT_TRUE(is_finite(a.at) && is_finite(b.at) && is_finite(c.at));
     EXPECT_GT(std::abs(triangle_area(a.at, b.at, c.at)), 0.0);
@@ -145,7 +157,7 @@ TEST(CanvasMesh, DiscCoversItsAreaAndNothingBeyondItsBorder) {
     engine::add_disc(mesh, {50.3, 49.6}, radius);
     expect_sound(mesh);
     EXPECT_NEAR(covered_pixels(mesh, 100, 100), pi * radius * radius, 0.01 * pi * radius * radius) << radius;
-    for (const MeshVertex& v : mesh.vertices) EXPECT_LE(length(v.at - Vec2{50.3, 49.6}), radius + 1.0);
+    EXPECT_EQ(cover_at(mesh, {50.3 + radius + 1.0, 49.6}), 0.0) << radius;
   }
 }
 
@@ -195,8 +207,8 @@ TEST(CanvasMesh, TrianglesHaveARimOnTheirCommonBoundaryOnly) {
   EXPECT_EQ(cover_at(mesh, {40.0, 40.0}), 1.0);
   EXPECT_NEAR(cover_at(mesh, {40.0, 19.5}), 0.5, 1e-9);
   EXPECT_NEAR(cover_at(mesh, {20.0, 61.0}), 0.0, 1e-9);
-  for (const MeshVertex& v : mesh.vertices)
-    EXPECT_TRUE(v.cover == 1.0 || length(v.at - Vec2{40.0, 40.0}) > 15.0) << "a rim around the middle";
+  EXPECT_EQ(mesh.bars.size(), 4U) << "a rim around the middle";
+  for (const MeshRing& ring : mesh.rings) EXPECT_GT(length(ring.center - Vec2{40.0, 40.0}), 15.0);
 }
 
 TEST(CanvasMesh, RoundedRectangle) {
@@ -207,6 +219,43 @@ TEST(CanvasMesh, RoundedRectangle) {
   EXPECT_EQ(cover_at(mesh, {11.0, 40.0}), 1.0);
   EXPECT_EQ(cover_at(mesh, {11.0, 21.0}), 0.0);  // cut off by the round corner
   EXPECT_NEAR(covered_pixels(mesh, 100, 100), 60.0 * 40.0 - (4.0 - pi) * 144.0, 3.0);
+}
+
+/// Counted work: a shape of its own for each piece and joint, instead of dozens of triangles.
+TEST(CanvasMesh, LinesAndDiscsNeedNoTriangles) {
+  Mesh mesh;
+  add_polyline(mesh, std::vector<Vec2>{{10.0, 50.0}, {90.0, 50.0}, {50.0, 10.0}}, 9.0);
+  EXPECT_EQ(mesh.bars.size(), 2U);
+  EXPECT_EQ(mesh.rings.size(), 3U);
+  engine::add_disc(mesh, {50.0, 50.0}, 40.0);
+  engine::add_ring(mesh, {50.0, 50.0}, 40.0, 3.0);
+  EXPECT_EQ(mesh.rings.size(), 5U);
+  EXPECT_TRUE(mesh.indices.empty());
+}
+
+TEST(CanvasMesh, RecognisesInvalidBarsAndRings) {
+  const engine::Profile good{1.0, 2.0, 1.0};
+  const auto bar = [](Vec2 from, Vec2 to, engine::Profile profile) {
+    Mesh mesh;
+    mesh.bars.push_back({from, to, profile});
+    return is_paintable(mesh);
+  };
+  const auto ring = [](Vec2 center, double radius, engine::Profile profile) {
+    Mesh mesh;
+    mesh.rings.push_back({center, radius, profile});
+    return is_paintable(mesh);
+  };
+  EXPECT_TRUE(bar({1.0, 2.0}, {3.0, 4.0}, good));
+  EXPECT_FALSE(bar({1.0, 2.0}, {1.0, 2.0}, good));
+  EXPECT_FALSE(bar({nan_value, 2.0}, {1.0, 2.0}, good));
+  EXPECT_TRUE(ring({1.0, 2.0}, 0.0, good));
+  EXPECT_FALSE(ring({1.0, 2.0}, -1.0, good));
+  EXPECT_FALSE(ring({infinity, 2.0}, 1.0, good));
+  for (const engine::Profile& bad : {engine::Profile{2.0, 2.0, 1.0}, engine::Profile{-1.0, 2.0, 1.0},
+                                     engine::Profile{1.0, infinity, 1.0}, engine::Profile{1.0, 2.0, 1.5}}) {
+    EXPECT_FALSE(bar({1.0, 2.0}, {3.0, 4.0}, bad));
+    EXPECT_FALSE(ring({1.0, 2.0}, 0.0, bad));
+  }
 }
 
 TEST(CanvasMesh, OverlapIsBlendedOnce) {
@@ -227,6 +276,61 @@ TEST(Raster, TheLargestCoverCountsInAnyOrder) {
     Raster raster(20, 20);
     raster.fill(mesh, 0xff, 255);
     EXPECT_EQ(raster.pixels(), std::vector<std::uint32_t>(400, 0xffU));
+  }
+}
+
+/// Expects each pixel of a picture to have the cover of the mesh at its middle.
+void expect_cover(const Mesh& mesh, int width, int height) {
+  Raster raster(width, height);
+  raster.fill(mesh, 0xff, 255);
+  std::size_t k = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double expected = 255.0 * cover_at(mesh, {x + 0.5, y + 0.5});
+      ASSERT_NEAR(raster.pixels()[k++], expected, 1.0) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Raster, LinesInAllDirectionsHaveTheCoverOfTheirDistance) {
+  for (int k = 0; k < 48; ++k) {  // every sixth is level or upright
+    const double angle = pi / 12.0 * k;
+    const Vec2 out{std::cos(angle), std::sin(angle)};
+    Mesh mesh;
+    add_polyline(mesh, std::vector<Vec2>{Vec2{30.3, 29.8} - 12.0 * out, Vec2{30.3, 29.8} + (10.0 + k) * out},
+                 0.3 + 0.4 * k);
+    expect_cover(mesh, 60, 60);
+  }
+}
+
+TEST(Raster, DiscsAndRingsHaveTheCoverOfTheirDistance) {
+  for (const double radius : {0.2, 0.7, 1.0, 3.3, 17.0, 80.0}) {
+    Mesh disc;
+    engine::add_disc(disc, {31.2, 22.9}, radius);
+    expect_cover(disc, 60, 60);
+    for (const double width : {0.4, 1.0, 2.5, 9.0}) {
+      Mesh ring;
+      engine::add_ring(ring, {31.2, 22.9}, radius, width);
+      expect_cover(ring, 60, 60);
+    }
+  }
+}
+
+/// What was covered is forgotten, in all parts of a row of a wide picture.
+TEST(Raster, AShapeLeavesNothingForTheNext) {
+  constexpr int width = 4200;
+  Mesh line;
+  add_polyline(line, std::vector<Vec2>{{-5.0, 3.0}, {20.0, 3.2}, {2030.0, 5.0}, {4250.0, 2.5}}, 3.0);
+  expect_cover(line, width, 8);
+  Raster raster(width, 8);
+  raster.fill(line, 0xff, 255);
+  const std::vector<std::uint32_t> before = raster.pixels();
+  Mesh dot;
+  engine::add_disc(dot, {2047.5, 4.0}, 2.0);
+  raster.fill(dot, 0xff00, 255);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (std::abs(static_cast<double>(k % width) - 2047.0) < 4.0) continue;
+    ASSERT_EQ(raster.pixels()[k], before[k]) << k % width;
   }
 }
 

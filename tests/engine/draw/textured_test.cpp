@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/draw/canvas_raster.h"
+#include "engine/draw/pixel_pairs.h"
 #include "tests/support/pixels.h"
 #include "tests/support/points.h"
 
@@ -330,6 +331,46 @@ TEST(Band, EachPointHasItsColour) {
   EXPECT_NEAR(blue(raster, 70, 50), 150, 3);
 }
 
+/// The middle line of a band without round corners, from its cross-sections of four vertices.
+std::vector<Vec2> middle_line(const TexturedMesh& mesh) {
+  std::vector<Vec2> line;
+  for (std::size_t k = 0; k + 3 < mesh.vertices.size(); k += 4)
+    line.push_back(0.5 * (mesh.vertices[k + 1].at + mesh.vertices[k + 2].at));
+  return line;
+}
+
+TEST(Band, AStraightLineOfManyPointsIsOnePiece) {
+  std::vector<Vec2> many;
+  for (int k = 0; k <= 100; ++k) many.push_back({10.0 + 3.0 * k, 20.0 + 2.0 * k});
+  TexturedMesh mesh;
+  TexturedMesh of_two;
+  add_band(mesh, many, {.width = 6.0});
+  add_band(of_two, std::vector{many.front(), many.back()}, {.width = 6.0});
+  EXPECT_EQ(mesh.indices.size(), of_two.indices.size());
+}
+
+TEST(Band, LeavesOutOnlyWhatIsNotVisible) {
+  std::vector<Vec2> curve;
+  for (int k = 0; k <= 300; ++k) {
+    const double x = 3.0 * k;
+    curve.push_back({x, 200.0 + 12.0 * std::sin(0.012 * x)});
+  }
+  TexturedMesh mesh;
+  add_band(mesh, curve, {.width = 6.0});
+  const std::vector<Vec2> middle = middle_line(mesh);
+  EXPECT_LT(middle.size(), curve.size() / 2);
+  for (const Vec2 p : curve) EXPECT_LT(distance_to_path(p, middle), 0.035) << p.x;
+}
+
+TEST(Band, ALineThatTurnsBackReachesItsFarthestPoint) {
+  TexturedMesh mesh;
+  add_band(mesh, std::vector<Vec2>{{10.0, 50.0}, {40.0, 50.0}, {80.0, 50.0}, {60.0, 50.0}, {30.0, 50.0}},
+           {.width = 6.0});
+  double most = 0.0;
+  for (const TexturedVertex& v : mesh.vertices) most = std::max(most, v.at.x);
+  EXPECT_GE(most, 80.0);
+}
+
 TEST(Band, DegenerateInputDrawsNothing) {
   TexturedMesh mesh;
   const std::vector<Vec2> good{{10.0, 50.0}, {90.0, 50.0}};
@@ -387,6 +428,57 @@ TEST(Textured, OpaqueImagesHaveTheColoursOfTheGeneralWay) {
     a.fill(mesh, {&opaque, Filter::nearest});
     b.fill(mesh, {&general, Filter::nearest});
     EXPECT_EQ(a.pixels(), b.pixels());
+  }
+}
+
+/// A row that leaves the image is sampled in another way than one that stays inside.
+TEST(Textured, ARowHasTheSameColoursWhetherItLeavesTheImageOrNot) {
+  const Image image = ramps(64);
+  TexturedMesh mesh;  // turned, from half an image before it to half an image behind it
+  mesh.vertices = {{{0.0, 30.0}, {-0.5, -0.5}},
+                   {{170.0, 0.0}, {1.5, -0.5}},
+                   {{200.0, 170.0}, {1.5, 1.5}},
+                   {{30.0, 200.0}, {-0.5, 1.5}}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    Raster whole(200, 200);
+    Raster middle(200, 200);
+    whole.fill(mesh, {&image, Filter::linear, wrap, wrap});
+    middle.fill(mesh, {&image, Filter::linear, wrap, wrap}, {85, 85, 115, 115});
+    for (int y = 85; y < 115; ++y) {
+      for (int x = 85; x < 115; ++x) {
+        for (const unsigned shift : {8U, 16U})
+          EXPECT_NEAR(pixel(whole, x, y) >> shift & 0xffU, pixel(middle, x, y) >> shift & 0xffU, 1.0) << x << " " << y;
+      }
+    }
+  }
+}
+
+/// Repeated images are the same at a whole number of images from their start.
+TEST(Textured, FarCopiesOfAnImageAreTheSame) {
+  const Image image = ramps(32);
+  Raster near(60, 60);
+  Raster far(60, 60);
+  TexturedMesh mesh = rectangle({3.0, 4.0}, {55.0, 57.0});
+  mesh.vertices[1].at.y += 2.0;  // turned a little, so that rows are not rows of the image
+  near.fill(mesh, {&image, Filter::linear});
+  for (TexturedVertex& v : mesh.vertices) v.uv += Vec2{-5.0, 7.0};
+  far.fill(mesh, {&image, Filter::linear});
+  EXPECT_EQ(near.pixels(), far.pixels());
+}
+
+TEST(PixelPairs, FourPixelsBlendLikePairs) {
+  for (std::uint32_t alpha = 0; alpha < 256; ++alpha) {
+    for (std::uint32_t below = 0; below < 256; below += 5) {
+      const std::uint32_t color = alpha << 24U | alpha / 2 << 16U | alpha << 8U | alpha / 3;
+      const Four four = {color, color / 2 & 0x7f7f7f7fU, 0xff102030U, 0U};
+      const Four pixels = {below << 16U | (255 - below) << 8U | below, below, 0xffffffU, below << 8U};
+      const Four expected =
+          joined(over(lower_pair(four), lower_pair(pixels)), over(upper_pair(four), upper_pair(pixels)));
+      const Four blended = over(four, pixels);
+      for (std::size_t k = 0; k < 4; ++k)
+        ASSERT_EQ(blended[k] & 0xffffffU, expected[k] & 0xffffffU) << alpha << " " << below << " " << k;
+    }
   }
 }
 
