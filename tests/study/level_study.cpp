@@ -8,15 +8,21 @@
 #include <utility>
 
 #include "engine/replay/replay.h"
+#include "ribbon/study/conditions.h"
 #include "tests/study/chain_mover.h"
 #include "tests/study/results.h"
 #include "tests/study/text.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
+
+using ribbon::study::max_probe_difference;
+using ribbon::study::max_reference_difference;
+using ribbon::study::probe_kick;
+using ribbon::study::resolution_per_agreement;
+
 namespace {
 
-constexpr double max_reference_difference = 1e-4;  // m, accepted difference of converged runs with different substeps
 constexpr double finer_mesh = 4.0;
 constexpr std::size_t many_windows = 20;
 constexpr std::size_t few_windows = 8;
@@ -260,10 +266,10 @@ class LevelStudy {
     measured.error = difference(trace, own.trace, own.about.ticks);
     measured.mesh = difference(own.trace, fine, own.about.ticks);  // none without a finer mesh
     measured.chaotic = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
-    measured.resolution_m = 10.0 * own.about.agreement_m;
+    measured.resolution_m = resolution_per_agreement * own.about.agreement_m;
     if (setting.solver == "direct" && mesh_of(setting) == Mesh{}) {
       measured.windows = windows.errors(window_accuracy_of(setting));
-      measured.windows_resolution_m = 10.0 * windows.agreement().greatest();
+      measured.windows_resolution_m = resolution_per_agreement * windows.agreement().greatest();
     }
     measured.work = trace.work;
     if (setting.solver == "direct") measured.tick_work = figures_of(trace.tick_work);

@@ -50,7 +50,7 @@ struct Measured {
 /// The results of the converged runs of a level.
 struct Reference {
   Mesh mesh;
-  std::size_t ticks = 0;  ///< while the runs differ by at most 0.1 mm, and probes by max_probe_difference (windows.h)
+  std::size_t ticks = 0;      ///< while the runs differ by at most 0.1 mm, and probes by max_probe_difference
   double agreement_m = 0.0;   ///< difference of two converged runs with different substeps in these ticks
   Statistics chaotic;         ///< difference of these two runs after these ticks
   int unconverged_ticks = 0;  ///< of the reference

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ribbon/cord_def.h"
+#include "ribbon/study/conditions.h"
 
 namespace study {
 
@@ -53,9 +54,7 @@ bool is_box2d(const Setting& setting);
 /// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 
-/// The budget of work of what others are compared with. A tick that spends its budget where a cord touches something is
-/// redone as one linearised step, which is less accurate than one substep, and the same for any number of them.
-inline constexpr int unlimited_work = 1'000'000;
+using ribbon::study::unlimited_work;
 
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for
 /// `quick` and for ribbons; with unlimited_work.

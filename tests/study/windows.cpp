@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/study/conditions.h"
 #include "tests/study/setting.h"
 
 namespace study {
-namespace {
 
-constexpr double max_reference_difference = 1e-4;  // m, accepted difference of the references
+using ribbon::study::max_probe_difference;
+using ribbon::study::max_reference_difference;
+using ribbon::study::probe_kick;
+
+namespace {
 
 /// Evenly spaced along a run; each window is complete if the run is long enough.
 std::vector<std::size_t> begins_of(std::size_t ticks, std::size_t most) {
