@@ -4,20 +4,20 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "engine/replay/replay.h"
 #include "ribbon/study/conditions.h"
 #include "tests/study/chain_mover.h"
+#include "tests/study/other_player.h"
 #include "tests/study/results.h"
 #include "tests/study/text.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
 
-using ribbon::study::max_probe_difference;
-using ribbon::study::max_reference_difference;
 using ribbon::study::probe_kick;
 using ribbon::study::resolution_per_agreement;
 
@@ -86,10 +86,6 @@ Grid grid_of(const StudyOptions& options, const LevelFile& file, bool chains) {
   return grid;
 }
 
-std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
-  return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
-}
-
 struct Converged {
   Trace trace;
   Reference about;
@@ -136,11 +132,13 @@ class LevelStudy {
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
                           accuracy_of(reference({}, true, options_->quick)), number_of_windows());
     progress_.add(work_of_windows());
+    if (!add_others()) return study;
     if (options_->films) {
       study.stage = stage_of(original, converged_[Mesh{}].trace);
       study.converged_film = frames_of(converged_[Mesh{}].trace, study.stage);
     }
     study.windows = windows.count();
+    study.others = options_->others.size();
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
     study.compared_players = windows.compared_players();
@@ -169,6 +167,7 @@ class LevelStudy {
              2.0 * work_of(probe(mesh));
     }
     for (const Setting& setting : grid_.settings) sum += (1.0 + options_->repeats) * work_of(setting);
+    for (const Inputs& inputs : options_->others) sum += work_of_other(inputs);
     return sum;
   }
 
@@ -179,6 +178,22 @@ class LevelStudy {
 
   double work_of_windows() const {
     return work_of(reference({}, false, options_->quick)) + work_of(reference({}, true, options_->quick));
+  }
+
+  /// Returns false if it was stopped. Without a setting that is not known yet, none is needed.
+  bool add_others() {
+    const bool all_known = std::all_of(grid_.settings.begin(), grid_.settings.end(),
+                                       [this](const Setting& setting) { return results_->find(setting) != nullptr; });
+    for (const Inputs& inputs : options_->others) {
+      if (stopped()) return false;
+      if (!all_known) others_.push_back(std::make_unique<OtherPlayer>(*file_, inputs, *options_));
+      progress_.add(work_of_other(inputs));
+    }
+    return true;
+  }
+
+  double work_of_other(const Inputs& inputs) const {
+    return 2.0 * work_of_windows() * static_cast<double>(inputs.size()) / static_cast<double>(inputs_.size());
   }
 
   bool stopped() const { return options_->stopped && options_->stopped(); }
@@ -230,14 +245,7 @@ class LevelStudy {
     const Trace left = kicked_run(moderate, -probe_kick);
     const Trace right = kicked_run(moderate, probe_kick);
     progress_.add(2.0 * work_of(moderate));
-    converged.about.mesh = mesh;
-    converged.about.ticks = std::min(agreeing_ticks(left, right, max_probe_difference),
-                                     agreeing_ticks(other, converged.trace, max_reference_difference));
-    const std::size_t ticks = converged.about.ticks;
-    converged.about.chaotic = difference(statistics(converged.trace, ticks), statistics(other, ticks));
-    converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
-    converged.about.posed = converged.trace.work.posed;
-    converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
+    converged.about = reference_of(mesh, {converged.trace, other, left, right});
     converged_[mesh] = std::move(converged);
     return true;
   }
@@ -268,6 +276,7 @@ class LevelStudy {
     measured.chaotic = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
     measured.resolution_m = resolution_per_agreement * own.about.agreement_m;
     if (setting.solver == "direct" && mesh_of(setting) == Mesh{}) {
+      for (const auto& other : others_) other->judge(setting, measured.others);
       measured.windows = windows.errors(window_accuracy_of(setting));
       measured.windows_resolution_m = resolution_per_agreement * windows.agreement().greatest();
     }
@@ -314,6 +323,7 @@ class LevelStudy {
   Grid grid_;
   Progress progress_;
   std::map<Mesh, Converged> converged_;
+  std::vector<std::unique_ptr<OtherPlayer>> others_;
 };
 
 }  // namespace
@@ -326,11 +336,15 @@ WorkFigures figures_of(std::span<const std::int64_t> tick_work) {
   return {sum / static_cast<double>(ticks.size()), tradeoff::quantile(ticks, 0.99), tradeoff::quantile(ticks, 1.0)};
 }
 
-std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
-  if (!run.failure.empty()) return run.failure;
-  std::string tunnelling = tunnelling_failure(run.crossings, reference.crossings, reference.declared, ticks);
-  if (!tunnelling.empty()) return tunnelling;
-  return run.unconverged_ticks == 0 ? "" : count_of(run.unconverged_ticks, "tick") + " not converged";
+WorkFigures largest_work(const Measured& measured) {
+  const WorkFigures& own = measured.tick_work;
+  const WorkFigures& others = measured.others.work;  // NaN without other players
+  const auto larger = [](double a, double b) { return b > a ? b : a; };
+  return {larger(own.mean, others.mean), larger(own.p99, others.p99), larger(own.most, others.most)};
+}
+
+std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
+  return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
 }
 
 Point Measured::point() const {
@@ -372,6 +386,9 @@ std::vector<Point> applicable(const Study& study) {
     const Measured& m = study.settings[k];
     points[k].not_compared = points[k].not_compared || m.setting.solver != "direct";
     points[k].error_m = std::max({points[k].error_m, m.windows.greatest(), m.windows_resolution_m});
+    if (m.others.error_m > points[k].error_m) points[k].error_m = m.others.error_m;
+    if (points[k].failure.empty() && !m.others.failure.empty())
+      points[k].failure = "with another player: " + m.others.failure;
   }
   return points;
 }
