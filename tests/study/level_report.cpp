@@ -112,6 +112,13 @@ void add_notes(Report& report, const Study& study, const LevelFile& file) {
       "half that length. The player adds and removes both, so there is no drift to report.");
   for (const Reference& reference : study.references) report.notes.push_back(agreement_of(reference, study.ticks));
   report.notes.push_back(windows_of(study));
+  if (study.others > 0) {
+    report.notes.push_back(
+        "Other players: " + std::to_string(study.others) +
+        " random ones of two seconds each, chosen for the cords that they hold and touch. A setting is judged by the "
+        "worst of them and the recorded one (others_m, others_work_most), because a player that meets no cord shows no "
+        "setting to be too cheap.");
+  }
   add_chaotic_notes(report, study);
   report.notes.emplace_back(
       "posed: ticks in which the cords' budget of work (max_work) did not suffice, so that they were redone as one "
@@ -134,6 +141,8 @@ void add_table(Report& report, const Study& study) {
                     "windows_position_m",
                     "windows_player_m",
                     "windows_body_m",
+                    "others_m",
+                    "others_work_most",
                     "mesh_m",
                     "work_per_tick",
                     "work_p99",
@@ -160,6 +169,8 @@ void add_table(Report& report, const Study& study) {
                             cell(m.windows.position_m),
                             cell(m.windows.player_m),
                             cell(m.windows.body_m),
+                            cell(m.others.error_m),
+                            std::isnan(m.others.work.most) ? "" : fixed(m.others.work.most, 0),
                             std::isnan(m.mesh.position_m) ? "" : significant(m.mesh.greatest_length(), 3),
                             cell(m.tick_work.mean),
                             direct ? fixed(m.tick_work.p99, 0) : "",
