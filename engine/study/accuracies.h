@@ -12,8 +12,9 @@ namespace ribbon::study {
 class Accuracies {
  public:
   /// Sets the accuracy of all cords; none: each cord's own, which is the one that it had when it was first seen here.
-  /// Call it before each tick, for cords that are new.
-  void set(box2d::Coupling& coupling, const std::optional<Accuracy>& accuracy);
+  /// Those in `by_cord` have that one instead. Call it before each tick, for cords that are new.
+  void set(box2d::Coupling& coupling, const std::optional<Accuracy>& accuracy,
+           const std::map<box2d::CordId, Accuracy>& by_cord = {});
 
  private:
   std::map<box2d::CordId, Accuracy> own_;  // of the cords that were seen

@@ -87,8 +87,10 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   add("the greatest tick", limits.most_us, calibration.us(work.most));
   add("work", limits.most_work, work.most);
   std::putchar('\n');
+  if (study.by_cord) std::printf("by cord: %s\n", in_words(*study.by_cord, file).c_str());
+  if (command.by_cord && !study.by_cord) std::puts("by cord: nothing is cheaper than one setting for all cords");
   if (command.apply) {
-    file.apply(m.setting);
+    file.apply(study.by_cord ? study.by_cord->settings : m.setting);
     std::printf("written to %s; its recordings must be made again\n", file.path().c_str());
   }
   return true;
@@ -191,6 +193,7 @@ int run(const Command& command) {
   StudyOptions options;
   options.others = players_that_meet_cords(file.level(), 0, other_players);
   options.quick = command.quick;
+  if (command.by_cord) options.by_cord_error_m = command.limits.max_error_m.value_or(default_error);
   options.repeats = command.repeats;
   options.folder = command.folder;
   options.films = !command.folder.empty();

@@ -214,15 +214,16 @@ std::string films_of(const Study& study) {
   return json.dump();
 }
 
-void add_advice(Report& report, const Study& study, const Advice& advice) {
+void add_advice(Report& report, const Study& study, const LevelFile& file, const Advice& advice) {
   Limits limits = advice.limits;
-  if (!limits.any()) limits.max_error_m = 1e-2;
+  if (!limits.any()) limits.max_error_m = default_error;
   const Calibration calibration = calibrate(study);
   const Choice choice = choose(study, limits, calibration);
   if (choice.setting) {
     report.headline =
         "Recommended for " + in_words(limits) + ": " + in_words(study, *choice.setting, calibration) + ".";
     report.recommended = choice.setting;
+    if (study.by_cord) report.headline += " By cord, cheaper: " + in_words(*study.by_cord, file) + ".";
   } else if (choice.nearest) {
     report.headline = "No setting meets " + in_words(limits) + " with the margin of a recommendation; the nearest is " +
                       in_words(study, *choice.nearest, calibration) + ".";
@@ -266,7 +267,7 @@ Report report_of(const Study& study, const LevelFile& file, const Advice& advice
   report.title = study.level;
   report.points = applicable(study);  // as recommendations see them
   add_notes(report, study, file);
-  add_advice(report, study, advice);
+  add_advice(report, study, file, advice);
   add_table(report, study);
   report.films = films_of(study);
   if (advice.terms != nullptr) report.findings = findings_of(*advice.terms);

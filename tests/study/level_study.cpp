@@ -11,6 +11,8 @@
 #include "engine/replay/replay.h"
 #include "ribbon/study/conditions.h"
 #include "tests/study/chain_mover.h"
+#include "tests/study/cord_search.h"
+#include "tests/study/level_grid.h"
 #include "tests/study/other_player.h"
 #include "tests/study/results.h"
 #include "tests/study/text.h"
@@ -46,45 +48,7 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// In substeps of a cord with the level's points.
-double work_of(const Setting& setting) {
-  if (is_box2d(setting)) return 1.0 + 0.1 * setting.substeps * setting.iterations;
-  return setting.points * (1.0 + 0.7 * setting.substeps) * (setting.rows > 1 ? 3.0 * setting.rows : 1.0);
-}
-
 Method method_of(const Setting& setting) { return is_box2d(setting) ? chain_method(setting) : Method{}; }
-
-std::vector<Mesh> meshes_of(const std::vector<Setting>& grid) {
-  std::vector<Mesh> meshes;
-  for (const Setting& setting : grid) {
-    if (std::find(meshes.begin(), meshes.end(), mesh_of(setting)) == meshes.end()) meshes.push_back(mesh_of(setting));
-  }
-  return meshes;
-}
-
-/// The settings of the grid that the level can have, and sentences about the others but chains.
-struct Grid {
-  std::vector<Setting> settings;
-  std::vector<std::string> left_out;
-};
-
-Grid grid_of(const StudyOptions& options, const LevelFile& file, bool chains) {
-  Grid grid;
-  std::map<std::string, std::string> left_out;  // settings by reason
-  for (const Setting& setting : options.grid.empty() ? study::grid(options.quick) : options.grid) {
-    if (is_box2d(setting) && !chains) continue;
-    const std::string reason = file.left_out_reason(setting);
-    if (reason.empty()) {
-      grid.settings.push_back(setting);
-      continue;
-    }
-    std::string& names = left_out[reason];
-    if (!names.empty()) names += ", ";
-    names.append(setting.solver).append(" ").append(name_of(setting));
-  }
-  for (const auto& [reason, names] : left_out) grid.left_out.push_back(std::string(names).append(": ").append(reason));
-  return grid;
-}
 
 struct Converged {
   Trace trace;
@@ -157,6 +121,8 @@ class LevelStudy {
       progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);
+    if (study.complete && options_->by_cord_error_m) study.by_cord = find_by_cord(study, windows);
+    study.complete = study.complete && !stopped();
     return study;
   }
 
@@ -186,7 +152,8 @@ class LevelStudy {
                                        [this](const Setting& setting) { return results_->find(setting) != nullptr; });
     for (const Inputs& inputs : options_->others) {
       if (stopped()) return false;
-      if (!all_known) others_.push_back(std::make_unique<OtherPlayer>(*file_, inputs, *options_));
+      if (!all_known || options_->by_cord_error_m)
+        others_.push_back(std::make_unique<OtherPlayer>(*file_, inputs, *options_));
       progress_.add(work_of_other(inputs));
     }
     return true;
@@ -312,6 +279,32 @@ class LevelStudy {
     return true;
   }
 
+  /// Without several cords, or where the cheapest setting for all saves little, there is nothing to find.
+  std::optional<ByCord> find_by_cord(const Study& study, const Windows& windows) {
+    const game::Level level = file_->level();
+    const std::optional<CordSearch> search =
+        search_of(study, usable_error_share * *options_->by_cord_error_m, cord_objects_of(level));
+    if (!search) return std::nullopt;
+    return study::find_by_cord(*search, [&](const CordSettings& settings) {
+      return stopped() ? Outcome{0.0, 0.0, "interrupted"} : judge(settings, windows, accuracies_of(level, settings));
+    });
+  }
+
+  Outcome judge(const CordSettings& settings, const Windows& windows, const Windows::CordAccuracies& by_cord) {
+    const Converged& own = converged_[Mesh{}];
+    const Trace trace = run_once(file_->with(settings));
+    WithOthers others;
+    for (const auto& other : others_) other->judge(settings, others);
+    const WindowErrors in_windows = windows.errors(window_accuracy_of(settings.common), by_cord);
+    Outcome outcome{std::max(difference(trace, own.trace, own.about.ticks).greatest_length(), in_windows.greatest()),
+                    figures_of(trace.tick_work).mean, failure_of(trace, own.trace, own.about.ticks)};
+    if (others.error_m > outcome.error_m) outcome.error_m = others.error_m;
+    for (const std::string& failure : {in_windows.failure, others.failure}) {
+      if (outcome.failure.empty()) outcome.failure = failure;
+    }
+    return outcome;
+  }
+
   const LevelFile* file_;
   Results* results_;
   const StudyOptions* options_;
@@ -320,7 +313,7 @@ class LevelStudy {
   Trace own_;   // of the level as it is
   Trace last_;  // of the last measured setting
   std::string no_chains_reason_;
-  Grid grid_;
+  LevelGrid grid_;
   Progress progress_;
   std::map<Mesh, Converged> converged_;
   std::vector<std::unique_ptr<OtherPlayer>> others_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/study/by_cord.h"
 #include "tests/study/film.h"
 #include "tests/study/frontier.h"
 #include "tests/study/level_file.h"
@@ -74,6 +75,7 @@ struct Study {
   Stage stage;                        ///< of the films, if the options ask for them
   std::string converged_film;         ///< of the level's own points and rows
   std::vector<Film> films;            ///< by setting; empty ones for other points and rows
+  std::optional<ByCord> by_cord;      ///< if the options ask for it, and it is cheaper than one setting for all cords
   std::vector<std::string> left_out;  ///< a sentence for each other setting that the level cannot have
   bool complete = false;              ///< false if it was interrupted
 
@@ -87,6 +89,7 @@ struct StudyOptions {
   bool films = false;                            ///< make films of the settings
   std::size_t windows = 0;                       ///< number of windows, at most; 0: by `quick`
   std::vector<Inputs> others{};                  ///< other players: a setting must do with each of them
+  std::optional<double> by_cord_error_m{};       ///< m; find settings by cord for that error, too
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ribbon/study/conditions.h"
+#include "tests/study/by_cord.h"
 
 namespace study {
 namespace {
@@ -23,14 +24,14 @@ OtherPlayer::OtherPlayer(const LevelFile& file, Inputs inputs, const StudyOption
           reference_of({}, {converged_, run(reference({}, false, options.quick)),
                             run(probe({}), -ribbon::study::probe_kick), run(probe({}), ribbon::study::probe_kick)})) {}
 
-Trace OtherPlayer::run(const Setting& setting, double kick) const {
-  if (kick == 0.0) return study::run(file_->with(setting), inputs_);
-  return run_part(file_->with(setting), inputs_, {0, inputs_.size(), std::nullopt, 0, kick});
+Trace OtherPlayer::run(const CordSettings& settings, double kick) const {
+  if (kick == 0.0) return study::run(file_->with(settings), inputs_);
+  return run_part(file_->with(settings), inputs_, {0, inputs_.size(), std::nullopt, 0, kick});
 }
 
-void OtherPlayer::judge(const Setting& setting, WithOthers& results) const {
-  const Trace trace = run(setting);
-  const WindowErrors in_windows = windows_.errors(window_accuracy_of(setting));
+void OtherPlayer::judge(const CordSettings& settings, WithOthers& results) const {
+  const Trace trace = run(settings);
+  const WindowErrors in_windows = windows_.errors(window_accuracy_of(settings.common), accuracies_of(level_, settings));
   const double resolution =
       ribbon::study::resolution_per_agreement * std::max(about_.agreement_m, windows_.agreement().greatest());
   const double own = difference(trace, converged_, about_.ticks).greatest_length();

@@ -12,11 +12,11 @@ class OtherPlayer {
   OtherPlayer(const OtherPlayer&) = delete;
   OtherPlayer& operator=(const OtherPlayer&) = delete;
 
-  /// Makes the results of a setting of the level's own points worse, if they are so with this player.
-  void judge(const Setting& setting, WithOthers& results) const;
+  /// Makes the results of settings of the level's own points worse, if they are so with this player.
+  void judge(const CordSettings& settings, WithOthers& results) const;
 
  private:
-  Trace run(const Setting& setting, double kick = 0.0) const;
+  Trace run(const CordSettings& settings, double kick = 0.0) const;
 
   const LevelFile* file_;
   const game::Level level_;

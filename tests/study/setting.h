@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,15 @@ struct Mesh {
 };
 
 Mesh mesh_of(const Setting& setting);
+
+/// A setting for all cords of a level, and in its place others for some.
+struct CordSettings {
+  // NOLINTNEXTLINE(google-explicit-constructor): one setting for all is the usual case
+  CordSettings(Setting all = {}) : common(std::move(all)) {}
+
+  Setting common;                ///< of thrown lines too
+  std::map<int, Setting> own{};  ///< by id of the cord's object in the map
+};
 
 /// Returns the name: tr_bdf2 substeps=1 tolerance=0.0005 points=x2
 std::string name_of(const Setting& setting);

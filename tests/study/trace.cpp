@@ -219,7 +219,7 @@ Trace run_part(const game::Level& level, std::span<const engine::TickInput> inpu
   engine::Scene& scene = run.simulation().scene();
   if (part.kick != 0.0) ribbon::study::kick(scene.world(), scene.coupling(), part.kick);
   for (std::size_t k = part.begin; k < std::min(part.begin + part.ticks, inputs.size()); ++k) {
-    accuracies.set(run.simulation().scene().coupling(), part.accuracy);
+    accuracies.set(run.simulation().scene().coupling(), part.accuracy, part.by_cord);
     run.tick();
     recorder.add(run.simulation());
     recorder.trace().failure = blow_up_of(recorder.trace(), k + 1);

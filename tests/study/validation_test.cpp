@@ -310,7 +310,7 @@ TEST(Variation, StaysWithinItsRangesAndCoversThem) {
 
 TEST(Variation, IsTheLevelThatIsMeasured) {
   const LevelFile file = LevelFile(TEST_ASSETS "/levels/first_swing.tmj").varied(7);
-  const auto with = file.with({"direct", "tr_bdf2", 2, 1e-5}).make_scene();
+  const auto with = file.with(Setting{"direct", "tr_bdf2", 2, 1e-5}).make_scene();
   const auto own = file.level().make_scene();
   EXPECT_EQ(with->coupling().cord(0).direct().def().points, own->coupling().cord(0).direct().def().points);
   EXPECT_EQ(with->coupling().cord(0).direct().def().mass_per_length,

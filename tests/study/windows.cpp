@@ -96,8 +96,10 @@ Trace Windows::run(std::size_t begin, std::size_t count, const std::optional<rib
   return run_part(*level_, inputs_, {begin, count, accuracy, lead_in, kick});
 }
 
-WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy) const {
-  return pooled([&](const Window& window) { return run(window.begin, window.longest(), accuracy); });
+WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy, const CordAccuracies& by_cord) const {
+  return pooled([&](const Window& window) {
+    return run_part(*level_, inputs_, {window.begin, window.longest(), accuracy, lead_in, 0.0, by_cord});
+  });
 }
 
 /// RMS over the compared ticks of all windows.

@@ -36,8 +36,10 @@ class Windows {
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
           const ribbon::Accuracy& finer, std::size_t most);
 
-  /// Returns the errors with a setting (none: the level's own) relative to the finer reference, in all compared ticks.
-  WindowErrors errors(const std::optional<ribbon::Accuracy>& accuracy) const;
+  using CordAccuracies = std::map<ribbon::box2d::CordId, ribbon::Accuracy>;
+  /// Returns the errors with a setting (none: the level's own), or another one for some cords, relative to the finer
+  /// reference, in all compared ticks.
+  WindowErrors errors(const std::optional<ribbon::Accuracy>& accuracy, const CordAccuracies& by_cord = {}) const;
   /// Returns the differences of the references in these ticks. Errors below ten times that are unknown.
   WindowErrors agreement() const { return agreement_; }
   /// Return the share of the windows' ticks in which cords and players are compared: while the references differ by at
