@@ -94,6 +94,9 @@ TEST(ByCord, StartsFromTheCommonSettingWithTheLeastWork) {
   EXPECT_EQ(start->of_common.error_m, 5e-3);
   EXPECT_EQ(start->cheaper, std::vector<Setting>{fast});  // the present one is no setting of a cord
   EXPECT_EQ(start->cords, (std::vector<int>{5, 6}));
+  EXPECT_EQ(least_work_within(study, 8e-3), 300.0);
+  EXPECT_EQ(least_work_within(study, 9e-3), 200.0);  // the present one
+  EXPECT_EQ(search_of(study, 9e-3, {5, 6})->common.common, middle);
   EXPECT_FALSE(search_of(study, 8e-3, {5}));
   EXPECT_FALSE(search_of(study, 5e-5, {5, 6}));
   EXPECT_FALSE(search_of(study, 3e-2, {5, 6}));  // the cheapest one is within it

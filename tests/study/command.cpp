@@ -88,7 +88,7 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   add("work", limits.most_work, work.most);
   std::putchar('\n');
   if (study.by_cord) std::printf("by cord: %s\n", in_words(*study.by_cord, file).c_str());
-  if (command.by_cord && !study.by_cord) std::puts("by cord: nothing is cheaper than one setting for all cords");
+  if (command.by_cord && !study.by_cord) std::puts("by cord: nothing is cheaper than the setting above");
   if (command.apply) {
     file.apply(study.by_cord ? study.by_cord->settings : m.setting);
     std::printf("written to %s; its recordings must be made again\n", file.path().c_str());

@@ -282,12 +282,14 @@ class LevelStudy {
   /// Without several cords, or where the cheapest setting for all saves little, there is nothing to find.
   std::optional<ByCord> find_by_cord(const Study& study, const Windows& windows) {
     const game::Level level = file_->level();
-    const std::optional<CordSearch> search =
-        search_of(study, usable_error_share * *options_->by_cord_error_m, cord_objects_of(level));
+    const double error = usable_error_share * *options_->by_cord_error_m;
+    const std::optional<CordSearch> search = search_of(study, error, cord_objects_of(level));
     if (!search) return std::nullopt;
-    return study::find_by_cord(*search, [&](const CordSettings& settings) {
+    std::optional<ByCord> found = study::find_by_cord(*search, [&](const CordSettings& settings) {
       return stopped() ? Outcome{0.0, 0.0, "interrupted"} : judge(settings, windows, accuracies_of(level, settings));
     });
+    if (found && found->outcome.work >= least_work_within(study, error)) found.reset();
+    return found;
   }
 
   Outcome judge(const CordSettings& settings, const Windows& windows, const Windows::CordAccuracies& by_cord) {

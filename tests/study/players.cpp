@@ -75,7 +75,7 @@ Meetings meetings_of(const game::Level& level, const Inputs& inputs) {
 
 std::vector<Inputs> players_that_meet_cords(const game::Level& level, unsigned seed, std::size_t count) {
   std::vector<std::pair<Inputs, Meetings>> candidates;
-  for (unsigned k = 0; k < tried; ++k) {
+  for (unsigned k = 0; count > 0 && k < tried; ++k) {
     Inputs inputs = random_inputs(first_seed + tried * seed + k, ticks);
     Meetings meetings = meetings_of(level, inputs);
     if (meetings.any_cord) candidates.emplace_back(std::move(inputs), std::move(meetings));
