@@ -1,17 +1,21 @@
 // A small game with its own Box2D world, tick, contact listener and drawing. A cord was added to it: the rope of a
 // wrecking ball. Lines that end with a comment were added for the cord.
 //   wrecking_ball [TICKS]    the arrow keys push the ball, Space releases it, W lets wind blow, S saves, L restores
+//   wrecking_ball study      prints the error and the cost of several accuracies of the rope, and recommends one
 #include <SDL.h>
 #include <box2d/box2d.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <vector>
 
 #include "ribbon/box2d/convert.h"         // conversions between vectors of cords and of Box2D
 #include "ribbon/box2d/coupling.h"        // cords in a Box2D world
 #include "ribbon/box2d/world_snapshot.h"  // bodies and contacts, to go back
 #include "ribbon/layout.h"                // initial positions
+#include "ribbon/study/study.h"           // which accuracy the cords need
 #include "ribbon/weather.h"               // wind and water
 
 namespace {
@@ -129,9 +133,24 @@ void play(Game& game, SDL_Renderer* renderer, int ticks) {
   game.restore(saved);
   game.print("gone back");
 }
+
+void study() {
+  const auto make = [] {  // the scene, anew for each run; the same push in each
+    const auto game = std::make_shared<Game>();
+    return ribbon::study::Scene{game->world, game->cords, [game](int tick) { game->tick(tick < 30 ? 300.0F : 0.0F); }};
+  };
+  const ribbon::study::Study results = ribbon::study::measure(make, 120);
+  std::fputs(results.table().c_str(), stdout);
+  const auto best = results.cheapest_within(0.01);  // m
+  std::printf("for 1 cm: %s\n", best ? results.settings[*best].setting.name.c_str() : "none of them");
+}
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "study") == 0) {
+    study();
+    return 0;
+  }
   SDL_Window* window = nullptr;
   SDL_Renderer* renderer = nullptr;
   if (SDL_CreateWindowAndRenderer(960, 540, 0, &window, &renderer) != 0) return 1;

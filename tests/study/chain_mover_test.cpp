@@ -21,7 +21,7 @@ constexpr const char* level_path = TEST_ASSETS "/levels/first_swing.tmj";
 
 Setting chain(int substeps, const char* solver = "box2d_chain") { return {solver, "", substeps, 0.0, 1.0, 8}; }
 
-game::Level converged() { return LevelFile(level_path).with({"direct", "tr_bdf2", 16, 1e-7}); }
+game::Level converged() { return LevelFile(level_path).with(Setting{"direct", "tr_bdf2", 16, 1e-7}); }
 
 Trace run_chain(const game::Level& level, const std::vector<TickInput>& inputs, const Setting& setting) {
   return run(level, inputs, chain_method(setting));

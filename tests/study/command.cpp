@@ -21,12 +21,17 @@ volatile std::sig_atomic_t interrupted = 0;
 
 void interrupt(int /*signal*/) { interrupted = 1; }
 
+constexpr std::size_t other_players = 4;
+
+std::string recording_of(const LevelFile& file) {
+  return game::assets_folder() + "/replays/" + std::filesystem::path(file.path()).stem().string() + ".replay";
+}
+
 }  // namespace
 
 std::string replay_of(const Command& command, const LevelFile& file) {
   if (!command.replay.empty()) return command.replay;
-  const std::string name = std::filesystem::path(file.path()).stem().string();
-  std::string path = game::assets_folder() + "/replays/" + name + ".replay";
+  std::string path = recording_of(file);
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     throw std::runtime_error("no --replay given, and there is no " + path + "; record one: ropeswing --level " +
@@ -71,18 +76,21 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
     return false;
   }
   const Measured& m = study.settings[*choice.setting];
+  const WorkFigures work = largest_work(m);
   std::printf("recommended: %s", in_words(study, *choice.setting, calibration).c_str());
   const auto add = [](const char* limit, const std::optional<double>& most, double value) {
     if (most) std::printf(", %.0f %% below the limit of %s", 100.0 * (1.0 - value / *most), limit);
   };
   add("the error", limits.max_error_m, applicable(study)[*choice.setting].error_m);
   add("the median", limits.median_us, m.cost_us);
-  add("the 99th percentile", limits.p99_us, calibration.us(m.tick_work.p99));
-  add("the greatest tick", limits.most_us, calibration.us(m.tick_work.most));
-  add("work", limits.most_work, m.tick_work.most);
+  add("the 99th percentile", limits.p99_us, calibration.us(work.p99));
+  add("the greatest tick", limits.most_us, calibration.us(work.most));
+  add("work", limits.most_work, work.most);
   std::putchar('\n');
+  if (study.by_cord) std::printf("by cord: %s\n", in_words(*study.by_cord, file).c_str());
+  if (command.by_cord && !study.by_cord) std::puts("by cord: nothing is cheaper than the setting above");
   if (command.apply) {
-    file.apply(m.setting);
+    file.apply(study.by_cord ? study.by_cord->settings : m.setting);
     std::printf("written to %s; its recordings must be made again\n", file.path().c_str());
   }
   return true;
@@ -104,6 +112,17 @@ void print_tallies(const std::vector<PromiseRow>& rows) {
   }
 }
 
+/// Returns the first seconds of a level's recorded run; nothing without one.
+Inputs start_of_recording(const LevelFile& level) {
+  constexpr std::size_t ticks = 240;
+  const std::string path = recording_of(level);
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return {};
+  Inputs inputs = inputs_of(engine::load_replay(path));
+  inputs.resize(std::min(inputs.size(), ticks));
+  return inputs;
+}
+
 /// Verifies recommendations for the requested limits. With csv the rows go to the output as they come.
 int print_validation(const Command& command) {
   const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
@@ -112,6 +131,7 @@ int print_validation(const Command& command) {
   ValidationOptions options;
   options.promises = promises_of(command.limits);
   options.runs = *command.validation_runs;
+  for (const LevelFile& level : levels) options.recorded.push_back(start_of_recording(level));
   options.shard = command.shard;
   std::vector<PromiseRow> all;
   if (command.csv && options.shard.is_first()) std::printf("%s\n", promises_header().c_str());
@@ -171,7 +191,9 @@ int run(const Command& command) {
 
   print_grid(grid(command.quick));
   StudyOptions options;
+  options.others = players_that_meet_cords(file.level(), 0, other_players);
   options.quick = command.quick;
+  if (command.by_cord) options.by_cord_error_m = command.limits.max_error_m.value_or(default_error);
   options.repeats = command.repeats;
   options.folder = command.folder;
   options.films = !command.folder.empty();

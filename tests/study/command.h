@@ -17,6 +17,7 @@ struct Command {
   std::string folder;               ///< for the report; empty: no report
   bool quick = false;
   bool terms = false;
+  bool by_cord = false;  ///< recommend settings by cord, too
   bool apply = false;
   Limits limits;
   std::optional<int> validation_runs;  ///< number of runs of each level that verify recommendations

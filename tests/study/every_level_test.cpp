@@ -30,7 +30,7 @@ StudyOptions two_settings() {
 TEST_F(LevelStudy, AThrownLineHasTheSetting) {
   const LevelFile file(TEST_ASSETS "/levels/slingshot.tmj");
   const std::vector<engine::TickInput> inputs = recorded("slingshot", 400);
-  const game::Level level = file.with({"direct", "implicit_euler", 2, 1e-3});
+  const game::Level level = file.with(Setting{"direct", "implicit_euler", 2, 1e-3});
   LevelRun run(level, inputs);
   run.reset();
   for (std::size_t k = 0; k < inputs.size(); ++k) run.tick();
@@ -86,7 +86,7 @@ TEST_F(LevelStudy, ASettingThatTheLevelCannotHaveIsLeftOutWithItsReason) {
 TEST_F(LevelStudy, RowsAndColumnsOfARibbonAreChanged) {
   const LevelFile file(TEST_ASSETS "/levels/trampoline.tmj");
   const auto own = file.level().make_scene();
-  const auto changed = file.with({"direct", "tr_bdf2", 1, 5e-4, 2.0, 0, 3}).make_scene();
+  const auto changed = file.with(Setting{"direct", "tr_bdf2", 1, 5e-4, 2.0, 0, 3}).make_scene();
   for (const ribbon::box2d::CordId c : own->coupling().cords()) {
     const ribbon::CordDef& was = own->coupling().cord(c).direct().def();
     const ribbon::CordDef& is = changed->coupling().cord(c).direct().def();

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ribbon/study/conditions.h"
+
 namespace study {
 
 /// The result of a setting.
@@ -25,8 +27,8 @@ struct Point {
 /// Returns the names of the points' groups, each once, in their order.
 std::vector<std::string> groups_of(std::span<const Point> points);
 
-/// The share of a limit that a setting may use when it is measured. The rest is a margin for other runs and machines.
-inline constexpr double usable_error_share = 0.8;
+using ribbon::study::usable_error_share;
+/// The share of a budget that a setting may use where it was measured. The rest is a margin for other machines.
 inline constexpr double usable_budget_share = 0.75;
 
 /// Returns the Pareto front of each group, by increasing cost: the points for which no other one is both cheaper and

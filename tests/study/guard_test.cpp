@@ -73,7 +73,7 @@ TEST_F(LevelStudy, AGuardNoticesAMoreExpensiveLevel) {
   EXPECT_EQ(accept(guard), 0);
   EXPECT_EQ(check(guard), 0);
   EXPECT_NE(testing::internal::GetCapturedStdout().find("as accepted"), std::string::npos);
-  LevelFile(level_path).apply({"direct", "tr_bdf2", 2, 5e-4});
+  LevelFile(level_path).apply(Setting{"direct", "tr_bdf2", 2, 5e-4});
   record(replay_path, 20);
   testing::internal::CaptureStdout();
   EXPECT_EQ(check({guard.file, {}, ""}), 1);

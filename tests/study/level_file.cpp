@@ -236,10 +236,24 @@ game::Level LevelFile::level() const {
   return level;
 }
 
-game::Level LevelFile::with(const Setting& setting) const {
+game::Level LevelFile::with(const CordSettings& settings) const {
   Json json = json_;
-  for_each_cord(json, [&](Json& cord) { apply_setting(cord, setting); });
-  return level_of(json, setting);
+  for_each_cord(json, [&](Json& cord) { apply_setting(cord, setting_of(cord, settings)); });
+  return level_of(json, settings.common);
+}
+
+const Setting& LevelFile::setting_of(const Json& cord, const CordSettings& settings) {
+  const auto own = settings.own.find(cord["id"].get<int>());
+  return own == settings.own.end() ? settings.common : own->second;
+}
+
+std::string LevelFile::name_of_object(int id) const {
+  std::string name;
+  Json json = json_;
+  for_each_cord(json, [&](const Json& cord) {
+    if (cord["id"].get<int>() == id) name = cord.value("name", "");
+  });
+  return name.empty() ? "cord " + std::to_string(id) : name;
 }
 
 game::Level LevelFile::displaced(double offset) const {
@@ -329,7 +343,7 @@ std::string LevelFile::with_changes(const std::string& text, const Json& before,
   return changed;
 }
 
-void LevelFile::apply(const Setting& setting) const {
+void LevelFile::apply(const CordSettings& settings) const {
   if (!has_cords()) {
     throw std::runtime_error(path_ +
                              ": has no cord that the setting could be written to; accepted is a level with a "
@@ -339,7 +353,7 @@ void LevelFile::apply(const Setting& setting) const {
   Json json = json_;
   for_each_cord(json, [&](Json& cord) {
     const Json before = cord;
-    apply_setting(cord, setting);
+    apply_setting(cord, setting_of(cord, settings));
     text = with_changes(text, before, cord);
   });
   game::level_of(engine::parse_tiled_map(text, path_));  // throws if it cannot be built

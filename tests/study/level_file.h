@@ -32,9 +32,9 @@ class LevelFile {
   /// Returns the stretch stiffness of ribbons in place of inextensible ropes, N: five times the weight of everything
   /// that moves stretches one of them by 1e-4.
   double ribbon_stiffness() const;
-  /// Returns the level with a setting for all cords of the map and, of the direct solver, for lines that are thrown.
-  /// Throws engine::MapError if it cannot be built.
-  game::Level with(const Setting& setting) const;
+  /// Returns the level with a setting for all cords of the map, or some of their own, and, of the direct solver, for
+  /// lines that are thrown. Throws engine::MapError if it cannot be built.
+  game::Level with(const CordSettings& settings) const;
   /// Returns why the level cannot have the setting; empty if it can. It can have every setting of the direct solver for
   /// its own points and rows.
   std::string left_out_reason(const Setting& setting) const;
@@ -53,7 +53,9 @@ class LevelFile {
 
   /// Writes these settings to the cords of the file and leaves every other byte. Throws std::runtime_error if it has no
   /// cord, or cannot be written; then the file is unchanged.
-  void apply(const Setting& setting) const;
+  void apply(const CordSettings& settings) const;
+  /// Returns the name of an object of the map, or "cord 12" for one without.
+  std::string name_of_object(int id) const;
 
  private:
   using Json = nlohmann::ordered_json;
@@ -74,6 +76,7 @@ class LevelFile {
   static void multiply_links(Json& cord, double times);
   /// Ropes around wheels stay ropes of the direct solver.
   void apply_setting(Json& cord, const Setting& setting) const;
+  static const Setting& setting_of(const Json& cord, const CordSettings& settings);
   void make_ribbon(Json& cord, int rows) const;
   void change_rows(Json& cord, int rows) const;
   static void make_thesis(Json& cord, const Setting& setting);

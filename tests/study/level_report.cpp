@@ -112,6 +112,13 @@ void add_notes(Report& report, const Study& study, const LevelFile& file) {
       "half that length. The player adds and removes both, so there is no drift to report.");
   for (const Reference& reference : study.references) report.notes.push_back(agreement_of(reference, study.ticks));
   report.notes.push_back(windows_of(study));
+  if (study.others > 0) {
+    report.notes.push_back(
+        "Other players: " + std::to_string(study.others) +
+        " random ones of two seconds each, chosen for the cords that they hold and touch. A setting is judged by the "
+        "worst of them and the recorded one (others_m, others_work_most), because a player that meets no cord shows no "
+        "setting to be too cheap.");
+  }
   add_chaotic_notes(report, study);
   report.notes.emplace_back(
       "posed: ticks in which the cords' budget of work (max_work) did not suffice, so that they were redone as one "
@@ -134,6 +141,8 @@ void add_table(Report& report, const Study& study) {
                     "windows_position_m",
                     "windows_player_m",
                     "windows_body_m",
+                    "others_m",
+                    "others_work_most",
                     "mesh_m",
                     "work_per_tick",
                     "work_p99",
@@ -160,6 +169,8 @@ void add_table(Report& report, const Study& study) {
                             cell(m.windows.position_m),
                             cell(m.windows.player_m),
                             cell(m.windows.body_m),
+                            cell(m.others.error_m),
+                            std::isnan(m.others.work.most) ? "" : fixed(m.others.work.most, 0),
                             std::isnan(m.mesh.position_m) ? "" : significant(m.mesh.greatest_length(), 3),
                             cell(m.tick_work.mean),
                             direct ? fixed(m.tick_work.p99, 0) : "",
@@ -203,15 +214,16 @@ std::string films_of(const Study& study) {
   return json.dump();
 }
 
-void add_advice(Report& report, const Study& study, const Advice& advice) {
+void add_advice(Report& report, const Study& study, const LevelFile& file, const Advice& advice) {
   Limits limits = advice.limits;
-  if (!limits.any()) limits.max_error_m = 1e-2;
+  if (!limits.any()) limits.max_error_m = default_error;
   const Calibration calibration = calibrate(study);
   const Choice choice = choose(study, limits, calibration);
   if (choice.setting) {
     report.headline =
         "Recommended for " + in_words(limits) + ": " + in_words(study, *choice.setting, calibration) + ".";
     report.recommended = choice.setting;
+    if (study.by_cord) report.headline += " By cord, cheaper: " + in_words(*study.by_cord, file) + ".";
   } else if (choice.nearest) {
     report.headline = "No setting meets " + in_words(limits) + " with the margin of a recommendation; the nearest is " +
                       in_words(study, *choice.nearest, calibration) + ".";
@@ -255,7 +267,7 @@ Report report_of(const Study& study, const LevelFile& file, const Advice& advice
   report.title = study.level;
   report.points = applicable(study);  // as recommendations see them
   add_notes(report, study, file);
-  add_advice(report, study, advice);
+  add_advice(report, study, file, advice);
   add_table(report, study);
   report.films = films_of(study);
   if (advice.terms != nullptr) report.findings = findings_of(*advice.terms);

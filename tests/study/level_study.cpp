@@ -4,19 +4,27 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "engine/replay/replay.h"
+#include "ribbon/study/conditions.h"
 #include "tests/study/chain_mover.h"
+#include "tests/study/cord_search.h"
+#include "tests/study/level_grid.h"
+#include "tests/study/other_player.h"
 #include "tests/study/results.h"
 #include "tests/study/text.h"
 #include "tests/tradeoff/measure.h"
 
 namespace study {
+
+using ribbon::study::probe_kick;
+using ribbon::study::resolution_per_agreement;
+
 namespace {
 
-constexpr double max_reference_difference = 1e-4;  // m, accepted difference of converged runs with different substeps
 constexpr double finer_mesh = 4.0;
 constexpr std::size_t many_windows = 20;
 constexpr std::size_t few_windows = 8;
@@ -40,49 +48,7 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// In substeps of a cord with the level's points.
-double work_of(const Setting& setting) {
-  if (is_box2d(setting)) return 1.0 + 0.1 * setting.substeps * setting.iterations;
-  return setting.points * (1.0 + 0.7 * setting.substeps) * (setting.rows > 1 ? 3.0 * setting.rows : 1.0);
-}
-
 Method method_of(const Setting& setting) { return is_box2d(setting) ? chain_method(setting) : Method{}; }
-
-std::vector<Mesh> meshes_of(const std::vector<Setting>& grid) {
-  std::vector<Mesh> meshes;
-  for (const Setting& setting : grid) {
-    if (std::find(meshes.begin(), meshes.end(), mesh_of(setting)) == meshes.end()) meshes.push_back(mesh_of(setting));
-  }
-  return meshes;
-}
-
-/// The settings of the grid that the level can have, and sentences about the others but chains.
-struct Grid {
-  std::vector<Setting> settings;
-  std::vector<std::string> left_out;
-};
-
-Grid grid_of(const StudyOptions& options, const LevelFile& file, bool chains) {
-  Grid grid;
-  std::map<std::string, std::string> left_out;  // settings by reason
-  for (const Setting& setting : options.grid.empty() ? study::grid(options.quick) : options.grid) {
-    if (is_box2d(setting) && !chains) continue;
-    const std::string reason = file.left_out_reason(setting);
-    if (reason.empty()) {
-      grid.settings.push_back(setting);
-      continue;
-    }
-    std::string& names = left_out[reason];
-    if (!names.empty()) names += ", ";
-    names.append(setting.solver).append(" ").append(name_of(setting));
-  }
-  for (const auto& [reason, names] : left_out) grid.left_out.push_back(std::string(names).append(": ").append(reason));
-  return grid;
-}
-
-std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
-  return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
-}
 
 struct Converged {
   Trace trace;
@@ -130,11 +96,13 @@ class LevelStudy {
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
                           accuracy_of(reference({}, true, options_->quick)), number_of_windows());
     progress_.add(work_of_windows());
+    if (!add_others()) return study;
     if (options_->films) {
       study.stage = stage_of(original, converged_[Mesh{}].trace);
       study.converged_film = frames_of(converged_[Mesh{}].trace, study.stage);
     }
     study.windows = windows.count();
+    study.others = options_->others.size();
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
     study.compared_players = windows.compared_players();
@@ -153,6 +121,8 @@ class LevelStudy {
       progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);
+    if (study.complete && options_->by_cord_error_m) study.by_cord = find_by_cord(study, windows);
+    study.complete = study.complete && !stopped();
     return study;
   }
 
@@ -163,6 +133,7 @@ class LevelStudy {
              2.0 * work_of(probe(mesh));
     }
     for (const Setting& setting : grid_.settings) sum += (1.0 + options_->repeats) * work_of(setting);
+    for (const Inputs& inputs : options_->others) sum += work_of_other(inputs);
     return sum;
   }
 
@@ -173,6 +144,23 @@ class LevelStudy {
 
   double work_of_windows() const {
     return work_of(reference({}, false, options_->quick)) + work_of(reference({}, true, options_->quick));
+  }
+
+  /// Returns false if it was stopped. Without a setting that is not known yet, none is needed.
+  bool add_others() {
+    const bool all_known = std::all_of(grid_.settings.begin(), grid_.settings.end(),
+                                       [this](const Setting& setting) { return results_->find(setting) != nullptr; });
+    for (const Inputs& inputs : options_->others) {
+      if (stopped()) return false;
+      if (!all_known || options_->by_cord_error_m)
+        others_.push_back(std::make_unique<OtherPlayer>(*file_, inputs, *options_));
+      progress_.add(work_of_other(inputs));
+    }
+    return true;
+  }
+
+  double work_of_other(const Inputs& inputs) const {
+    return 2.0 * work_of_windows() * static_cast<double>(inputs.size()) / static_cast<double>(inputs_.size());
   }
 
   bool stopped() const { return options_->stopped && options_->stopped(); }
@@ -224,14 +212,7 @@ class LevelStudy {
     const Trace left = kicked_run(moderate, -probe_kick);
     const Trace right = kicked_run(moderate, probe_kick);
     progress_.add(2.0 * work_of(moderate));
-    converged.about.mesh = mesh;
-    converged.about.ticks = std::min(agreeing_ticks(left, right, max_probe_difference),
-                                     agreeing_ticks(other, converged.trace, max_reference_difference));
-    const std::size_t ticks = converged.about.ticks;
-    converged.about.chaotic = difference(statistics(converged.trace, ticks), statistics(other, ticks));
-    converged.about.unconverged_ticks = converged.trace.unconverged_ticks;
-    converged.about.posed = converged.trace.work.posed;
-    converged.about.agreement_m = difference(converged.trace, other, converged.about.ticks).greatest_length();
+    converged.about = reference_of(mesh, {converged.trace, other, left, right});
     converged_[mesh] = std::move(converged);
     return true;
   }
@@ -260,10 +241,11 @@ class LevelStudy {
     measured.error = difference(trace, own.trace, own.about.ticks);
     measured.mesh = difference(own.trace, fine, own.about.ticks);  // none without a finer mesh
     measured.chaotic = difference(statistics(trace, own.about.ticks), statistics(own.trace, own.about.ticks));
-    measured.resolution_m = 10.0 * own.about.agreement_m;
+    measured.resolution_m = resolution_per_agreement * own.about.agreement_m;
     if (setting.solver == "direct" && mesh_of(setting) == Mesh{}) {
+      for (const auto& other : others_) other->judge(setting, measured.others);
       measured.windows = windows.errors(window_accuracy_of(setting));
-      measured.windows_resolution_m = 10.0 * windows.agreement().greatest();
+      measured.windows_resolution_m = resolution_per_agreement * windows.agreement().greatest();
     }
     measured.work = trace.work;
     if (setting.solver == "direct") measured.tick_work = figures_of(trace.tick_work);
@@ -297,6 +279,34 @@ class LevelStudy {
     return true;
   }
 
+  /// Without several cords, or where the cheapest setting for all saves little, there is nothing to find.
+  std::optional<ByCord> find_by_cord(const Study& study, const Windows& windows) {
+    const game::Level level = file_->level();
+    const double error = usable_error_share * *options_->by_cord_error_m;
+    const std::optional<CordSearch> search = search_of(study, error, cord_objects_of(level));
+    if (!search) return std::nullopt;
+    std::optional<ByCord> found = study::find_by_cord(*search, [&](const CordSettings& settings) {
+      return stopped() ? Outcome{0.0, 0.0, "interrupted"} : judge(settings, windows, accuracies_of(level, settings));
+    });
+    if (found && found->outcome.work >= least_work_within(study, error)) found.reset();
+    return found;
+  }
+
+  Outcome judge(const CordSettings& settings, const Windows& windows, const Windows::CordAccuracies& by_cord) {
+    const Converged& own = converged_[Mesh{}];
+    const Trace trace = run_once(file_->with(settings));
+    WithOthers others;
+    for (const auto& other : others_) other->judge(settings, others);
+    const WindowErrors in_windows = windows.errors(window_accuracy_of(settings.common), by_cord);
+    Outcome outcome{std::max(difference(trace, own.trace, own.about.ticks).greatest_length(), in_windows.greatest()),
+                    figures_of(trace.tick_work).mean, failure_of(trace, own.trace, own.about.ticks)};
+    if (others.error_m > outcome.error_m) outcome.error_m = others.error_m;
+    for (const std::string& failure : {in_windows.failure, others.failure}) {
+      if (outcome.failure.empty()) outcome.failure = failure;
+    }
+    return outcome;
+  }
+
   const LevelFile* file_;
   Results* results_;
   const StudyOptions* options_;
@@ -305,9 +315,10 @@ class LevelStudy {
   Trace own_;   // of the level as it is
   Trace last_;  // of the last measured setting
   std::string no_chains_reason_;
-  Grid grid_;
+  LevelGrid grid_;
   Progress progress_;
   std::map<Mesh, Converged> converged_;
+  std::vector<std::unique_ptr<OtherPlayer>> others_;
 };
 
 }  // namespace
@@ -320,11 +331,15 @@ WorkFigures figures_of(std::span<const std::int64_t> tick_work) {
   return {sum / static_cast<double>(ticks.size()), tradeoff::quantile(ticks, 0.99), tradeoff::quantile(ticks, 1.0)};
 }
 
-std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
-  if (!run.failure.empty()) return run.failure;
-  std::string tunnelling = tunnelling_failure(run.crossings, reference.crossings, reference.declared, ticks);
-  if (!tunnelling.empty()) return tunnelling;
-  return run.unconverged_ticks == 0 ? "" : count_of(run.unconverged_ticks, "tick") + " not converged";
+WorkFigures largest_work(const Measured& measured) {
+  const WorkFigures& own = measured.tick_work;
+  const WorkFigures& others = measured.others.work;  // NaN without other players
+  const auto larger = [](double a, double b) { return b > a ? b : a; };
+  return {larger(own.mean, others.mean), larger(own.p99, others.p99), larger(own.most, others.most)};
+}
+
+std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
+  return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
 }
 
 Point Measured::point() const {
@@ -366,6 +381,9 @@ std::vector<Point> applicable(const Study& study) {
     const Measured& m = study.settings[k];
     points[k].not_compared = points[k].not_compared || m.setting.solver != "direct";
     points[k].error_m = std::max({points[k].error_m, m.windows.greatest(), m.windows_resolution_m});
+    if (m.others.error_m > points[k].error_m) points[k].error_m = m.others.error_m;
+    if (points[k].failure.empty() && !m.others.failure.empty())
+      points[k].failure = "with another player: " + m.others.failure;
   }
   return points;
 }

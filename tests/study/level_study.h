@@ -2,13 +2,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "tests/study/by_cord.h"
 #include "tests/study/film.h"
 #include "tests/study/frontier.h"
 #include "tests/study/level_file.h"
+#include "tests/study/players.h"
+#include "tests/study/reference.h"
 #include "tests/study/setting.h"
 #include "tests/study/statistics.h"
 #include "tests/study/trace.h"
@@ -26,6 +30,13 @@ struct WorkFigures {
 /// Returns the figures of all ticks; NaN without ticks.
 WorkFigures figures_of(std::span<const std::int64_t> tick_work);
 
+/// The worst that a setting does with other players.
+struct WithOthers {
+  double error_m = unavailable;  ///< of time and solver: from the start and in windows, not below its resolution
+  WorkFigures work;              ///< of each figure the largest
+  std::string failure{};         ///< why the setting does not count; empty if it counts
+};
+
 /// The measurement of a setting of the grid.
 struct Measured {
   Setting setting;
@@ -37,6 +48,7 @@ struct Measured {
   double windows_resolution_m = 0.0;
   ribbon::IslandReport work;
   WorkFigures tick_work;  ///< only of the direct solver
+  WithOthers others;      ///< only for the level's own cords of the direct solver
   int contacts = 0;
   int unconverged_ticks = 0;
   std::string failure;
@@ -47,21 +59,12 @@ struct Measured {
   Point point() const;
 };
 
-/// The results of the converged runs of a level.
-struct Reference {
-  Mesh mesh;
-  std::size_t ticks = 0;  ///< while the runs differ by at most 0.1 mm, and probes by max_probe_difference (windows.h)
-  double agreement_m = 0.0;   ///< difference of two converged runs with different substeps in these ticks
-  Statistics chaotic;         ///< difference of these two runs after these ticks
-  int unconverged_ticks = 0;  ///< of the reference
-  int posed = 0;              ///< IslandReport::posed of the reference: such steps are not converged
-};
-
 struct Study {
   std::string level;
   std::string replay;
   std::size_t ticks = 0;
   std::vector<Reference> references;
+  std::size_t others = 0;  ///< number of other players
   std::size_t windows = 0;
   WindowErrors agreement;         ///< difference of the two references in windows
   double compared_cords = 0.0;    ///< share of the windows' ticks in which cords are compared
@@ -72,6 +75,7 @@ struct Study {
   Stage stage;                        ///< of the films, if the options ask for them
   std::string converged_film;         ///< of the level's own points and rows
   std::vector<Film> films;            ///< by setting; empty ones for other points and rows
+  std::optional<ByCord> by_cord;      ///< if the options ask for it, and it is cheaper than one setting for all cords
   std::vector<std::string> left_out;  ///< a sentence for each other setting that the level cannot have
   bool complete = false;              ///< false if it was interrupted
 
@@ -84,6 +88,8 @@ struct StudyOptions {
   std::vector<Setting> grid;                     ///< settings to measure in place of those by `quick`, without meshes
   bool films = false;                            ///< make films of the settings
   std::size_t windows = 0;                       ///< number of windows, at most; 0: by `quick`
+  std::vector<Inputs> others{};                  ///< other players: a setting must do with each of them
+  std::optional<double> by_cord_error_m{};       ///< m; find settings by cord for that error, too
   std::string folder;                            ///< for saved results; empty: none
   std::function<bool()> stopped;                 ///< called between runs
   std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds
@@ -97,12 +103,14 @@ Study measure(const LevelFile& file, const std::string& replay_path, const Study
 /// The same for inputs that were not recorded; no results are saved.
 Study measure(const LevelFile& file, const std::vector<engine::TickInput>& inputs, const StudyOptions& options);
 
-/// Returns why a run does not count: it became unstable, tunnelled where its reference did not (see
-/// tunnelling_failure), or did not converge in all ticks; empty if it counts.
-std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
+/// Returns the largest figures of a setting: of the recording, and with other players.
+WorkFigures largest_work(const Measured& measured);
 
-/// Returns the settings of a level's own cords, by the larger of their errors from the start and in windows. Those of
-/// other solvers and meshes are separate, because they are other cords.
+/// Returns the accuracy in windows; none: each cord's own.
+std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting);
+
+/// Returns the settings of a level's own cords, by the largest of their errors: from the start, in windows, with other
+/// players. Those of other solvers and meshes are separate, because they are other cords.
 std::vector<Point> applicable(const Study& study);
 
 }  // namespace study

@@ -12,7 +12,6 @@
 #include "tests/study/command.h"
 #include "tests/study/level_study_fixture.h"
 #include "tests/study/results.h"
-#include "tests/study/terms.h"
 #include "tests/study/trace_file.h"
 #include "tests/support/refusal.h"
 
@@ -33,7 +32,7 @@ TEST(Setting, AGridHasEachSettingOnce) {
 
 TEST_F(LevelStudy, ALevelGetsTheSettingAndNoOtherChange) {
   const LevelFile file(level_path);
-  const game::Level level = file.with({"direct", "implicit_euler", 3, 1e-6, 2.0});
+  const game::Level level = file.with(Setting{"direct", "implicit_euler", 3, 1e-6, 2.0});
   const auto changed = level.make_scene();
   const auto before = file.level().make_scene();
   for (int c = 0; c < changed->coupling().size(); ++c) {
@@ -46,9 +45,15 @@ TEST_F(LevelStudy, ALevelGetsTheSettingAndNoOtherChange) {
     EXPECT_EQ(def.friction, old.friction);
     EXPECT_EQ(def.bending_stiffness, old.bending_stiffness);
   }
-  EXPECT_EQ(file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 32}).make_scene()->coupling().cord(0).direct().def().accuracy,
+  EXPECT_EQ(file.with(Setting{"direct", "tr_bdf2", 1, 5e-4, 1.0, 32})
+                .make_scene()
+                ->coupling()
+                .cord(0)
+                .direct()
+                .def()
+                .accuracy,
             (ribbon::Accuracy{ribbon::Integrator::tr_bdf2, 1, 32, 5e-4}));
-  const auto thesis = file.with({"thesis", "", 4, 0.0}).make_scene();
+  const auto thesis = file.with(Setting{"thesis", "", 4, 0.0}).make_scene();
   EXPECT_EQ(thesis->coupling().cord(0).solver(), ribbon::box2d::Solver::thesis);
   EXPECT_EQ(thesis->coupling().cord(0).thesis().def().substeps, 4);
 }
@@ -57,7 +62,7 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
   const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
   const auto ropes = file.level().make_scene();
   for (const int rows : {2, 3}) {
-    const game::Level level = file.with({"direct", "tr_bdf2", 1, 5e-4, 1.0, 0, rows});
+    const game::Level level = file.with(Setting{"direct", "tr_bdf2", 1, 5e-4, 1.0, 0, rows});
     const auto ribbons = level.make_scene();
     for (int c = 0; c < ropes->coupling().size(); ++c) {
       const ribbon::CordDef& is = ribbons->coupling().cord(c).direct().def();
@@ -88,13 +93,13 @@ TEST_F(LevelStudy, ARibbonInPlaceOfARopeHasItsMassBendingAndThickness) {
 }
 
 TEST_F(LevelStudy, AnAppliedSettingIsInTheFile) {
-  LevelFile(level_path).apply({"direct", "tr_bdf2", 2, 1e-5});
+  LevelFile(level_path).apply(Setting{"direct", "tr_bdf2", 2, 1e-5});
   const auto scene = game::load_level(level_path).make_scene();
   EXPECT_EQ(scene->coupling().cord(0).direct().def().accuracy.substeps, 2);
   EXPECT_EQ(scene->coupling().cord(0).direct().def().accuracy.tolerance, 1e-5);
   EXPECT_EQ(LevelFile(level_path).declares("friction"), true);
   const std::string before = read_file(level_path);
-  EXPECT_THROW(LevelFile(level_path).apply({"direct", "tr_bdf2", 0, 1e-5}), engine::MapError);
+  EXPECT_THROW(LevelFile(level_path).apply(Setting{"direct", "tr_bdf2", 0, 1e-5}), engine::MapError);
   EXPECT_EQ(read_file(level_path), before);
 }
 
@@ -327,69 +332,8 @@ TEST_F(LevelStudy, RefusesInvalidInput) {
               measure(lines, std::vector<engine::TickInput>(2), options());
             }).find("nothing to study: no cord exists in any tick"),
             std::string::npos);
-  EXPECT_NE(refusal<std::exception>([&] { lines.apply({}); }).find("has no cord that the setting"), std::string::npos);
-}
-
-TEST_F(LevelStudy, AnUnneededTermIsReported) {
-  const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
-  const auto result = [&](const std::string& term) {
-    return *std::find_if(terms.results.begin(), terms.results.end(), [&](const auto& r) { return r.term == term; });
-  };
-  EXPECT_EQ(result("cord_contact").first_difference, 0U);  // its cords do not touch in a third of a second
-  EXPECT_EQ(result("cord_contact").change.greatest_length(), 0.0);
-  EXPECT_NE(verdict(result("cord_contact")).find("not needed"), std::string::npos);
-  EXPECT_GT(result("bending_stiffness").first_difference, 0U);
-  EXPECT_NE(verdict(result("bending_stiffness")).find("from tick"), std::string::npos);
-  ASSERT_EQ(terms.missing.size(), 1U);  // links of the falling bridge push
-  EXPECT_EQ(terms.missing[0].term, "tension_only");
-  const TermResult self = result("self_contact");  // no cord declares it
-  EXPECT_FALSE(self.declared);
-  EXPECT_EQ(self.first_difference, 0U);
-  EXPECT_GT(self.cost_share, 0.0);
-  EXPECT_NE(verdict(self).find("not needed: with it"), std::string::npos);
-  EXPECT_TRUE(result("tension_only").can_be_built);
-  EXPECT_FALSE(result("area_stiffness").can_be_built);  // the level has no ribbons
-  EXPECT_NE(verdict(result("area_stiffness")).find("not applicable"), std::string::npos);
-}
-
-TEST_F(LevelStudy, FindsCompressedLinksOfElasticRopes) {
-  change_level(level_path, [](Json& cord) {
-    cord["polyline"] = {{{"x", 0}, {"y", 0}}, {{"x", 1}, {"y", -160}}};  // upwards from its pin
-    cord["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
-  });
-  record(replay_path, 10);
-  const Terms terms = try_terms(LevelFile(level_path), replay_path, [](double) {});
-  ASSERT_EQ(terms.missing.size(), 1U);
-  EXPECT_EQ(terms.missing[0].term, "tension_only");
-  EXPECT_LE(terms.missing[0].first_tick, 3U);
-  EXPECT_GE(terms.missing[0].ticks, 5U);
-  const auto tension_only = std::find_if(terms.results.begin(), terms.results.end(),
-                                         [](const TermResult& r) { return r.term == "tension_only"; });
-  ASSERT_NE(tension_only, terms.results.end());
-  EXPECT_TRUE(tension_only->can_be_built);
-  EXPECT_GT(tension_only->first_difference, 0U);
-  EXPECT_NE(verdict(*tension_only).find("with it a position differs by 1 cm"), std::string::npos);
-
-  const game::Level held = *LevelFile(level_path).switched_on("tension_only", true);
-  game::Simulation simulation(held);
-  for (int k = 0; k < 10; ++k) simulation.tick({});
-  EXPECT_FALSE(pushes(simulation.scene().coupling().cord(0).direct(), 9.81));
-}
-
-/// The first cord is a rope; the others have two rows and are not.
-TEST_F(LevelStudy, ATermIsSwitchedOnWhereItIsApplicable) {
-  int cords = 0;
-  change_level(level_path, [&cords](Json& cord) {
-    if (cords++ == 0) return;
-    cord["properties"].push_back({{"name", "rows"}, {"type", "int"}, {"value", 2}});
-    cord["properties"].push_back({{"name", "stretch_stiffness"}, {"type", "float"}, {"value", 1e4}});
-  });
-  const auto tension_only = LevelFile(level_path).switched_on("tension_only", true)->make_scene();
-  const auto area = LevelFile(level_path).switched_on("area_stiffness", 1.0)->make_scene();
-  for (int c = 0; c < cords; ++c) {
-    EXPECT_EQ(tension_only->coupling().cord(c).direct().def().tension_only, c == 0) << c;
-    EXPECT_EQ(area->coupling().cord(c).direct().def().area_stiffness, c == 0 ? 0.0 : 1.0) << c;
-  }
+  EXPECT_NE(refusal<std::exception>([&] { lines.apply(Setting{}); }).find("has no cord that the setting"),
+            std::string::npos);
 }
 
 }  // namespace

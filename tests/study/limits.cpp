@@ -71,11 +71,13 @@ double usage_of(const Measured& m, const Point& point, const Limits& limits, con
   const auto add = [&most](const std::optional<double>& limit, double value, double share) {
     if (limit) most = std::max(most, value / (share * *limit));
   };
+  const WorkFigures work = largest_work(m);
   add(limits.max_error_m, point.error_m, usable_error_share);
   add(limits.median_us, m.cost_us, usable_budget_share);
-  add(limits.p99_us, calibration.us(m.tick_work.p99), usable_budget_share);
-  add(limits.most_us, calibration.us(m.tick_work.most), usable_budget_share);
-  add(limits.most_work, m.tick_work.most, usable_budget_share);
+  if (work.mean > m.tick_work.mean) add(limits.median_us, calibration.us(work.mean), usable_budget_share);
+  add(limits.p99_us, calibration.us(work.p99), usable_budget_share);
+  add(limits.most_us, calibration.us(work.most), usable_budget_share);
+  add(limits.most_work, work.most, usable_budget_share);
   return most;
 }
 
@@ -90,7 +92,8 @@ std::string source_in_words(const Measured& m) {
                               Source{m.error.body_m, " (of a body, from the start on)"},
                               Source{m.windows.position_m, " (of the cords, in a quarter of a second)"},
                               Source{m.windows.player_m, " (of the player, in a quarter of a second)"},
-                              Source{m.windows.body_m, " (of a body, in a quarter of a second)"}};
+                              Source{m.windows.body_m, " (of a body, in a quarter of a second)"},
+                              Source{m.others.error_m, " (with another player)"}};
   const Source* greatest = nullptr;
   for (const Source& source : sources) {
     if (source.error > (greatest == nullptr ? std::max(m.resolution_m, m.windows_resolution_m) : greatest->error))
@@ -160,11 +163,11 @@ std::string in_words(const Limits& limits) {
 
 std::string in_words(const Study& study, std::size_t setting, const Calibration& calibration) {
   const Measured& m = study.settings[setting];
+  const WorkFigures work = largest_work(m);
   std::string words = name_of(m.setting) + ": " + fixed(m.cost_us, 2) + " us per tick";
-  if (std::isfinite(m.tick_work.most)) {
-    words += ", 99 % of the ticks within " + significant(calibration.us(m.tick_work.p99), 3) +
-             " us, the greatest tick " + significant(calibration.us(m.tick_work.most), 3) + " us (" +
-             significant(m.tick_work.most, 6) + " units of work)";
+  if (std::isfinite(work.most)) {
+    words += ", 99 % of the ticks within " + significant(calibration.us(work.p99), 3) + " us, the greatest tick " +
+             significant(calibration.us(work.most), 3) + " us (" + significant(work.most, 6) + " units of work)";
   }
   return words + ", error " + significant(applicable(study)[setting].error_m, 3) + " m" + source_in_words(m);
 }

@@ -10,6 +10,9 @@
 
 namespace study {
 
+/// m. What a recommendation is for if nothing is asked for.
+inline constexpr double default_error = 1e-2;
+
 /// What a recommended setting must meet; a limit that is not given is met.
 struct Limits {
   std::optional<double> max_error_m{};

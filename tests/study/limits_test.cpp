@@ -96,6 +96,39 @@ TEST(Limits, TheErrorIsThatOfSomething) {
   EXPECT_EQ(words().substr(words().size() - 13), "error 0.005 m") << words();
 }
 
+/// The recorded player may meet no cord.
+TEST(Limits, AnotherPlayerRulesASettingOut) {
+  Limits limits;
+  limits.max_error_m = 1e-2;
+  Study study = three();
+  WithOthers& others = study.settings[0].others;
+  others.error_m = 9e-3;  // 8 mm may be used
+  EXPECT_EQ(choose(study, limits, calibrate(study)).setting, 1U);
+  others.error_m = 7e-3;
+  EXPECT_EQ(choose(study, limits, calibrate(study)).setting, 0U);
+  others.failure = "3 ticks not converged";
+  EXPECT_EQ(choose(study, limits, calibrate(study)).setting, 1U);
+  EXPECT_EQ(applicable(study)[0].failure, "with another player: 3 ticks not converged");
+}
+
+TEST(Limits, AnotherPlayerNeedsItsWork) {
+  Study study = three();
+  const Calibration calibration = calibrate(study);
+  const auto choice = [&](const Limits& limits) { return choose(study, limits, calibration).setting; };
+  study.settings[2].others.work = {900.0, 2000.0, 3000.0};
+  EXPECT_EQ(choice({.median_us = 100.0}), 1U);  // it takes 95
+  EXPECT_EQ(choice({.median_us = 130.0}), 2U);
+  EXPECT_EQ(choice({.p99_us = 200.0}), 1U);  // it takes 205
+  EXPECT_EQ(choice({.most_us = 400.0}), 1U);
+  EXPECT_EQ(choice({.most_work = 3000.0}), 1U);
+  EXPECT_EQ(choice({.most_work = 4000.0}), 2U);
+  study.settings[2].others.error_m = 5e-3;
+  const std::string words = in_words(study, 2, calibration);
+  EXPECT_NE(words.find("greatest tick 305 us (3000 units of work), error 0.005 m (with another player)"),
+            std::string::npos)
+      << words;
+}
+
 TEST(Limits, FailuresAndOtherMeshesAreNotChosen) {
   Study study = three();
   study.settings[0].failure = "blew up in tick 3";

@@ -43,6 +43,8 @@ Json json_of(const Measured& m) {
           {"chaotic", m.chaotic.values},
           {"windows", {m.windows.position_m, m.windows.player_m, m.windows.body_m, m.windows_resolution_m}},
           {"tick_work", {m.tick_work.mean, m.tick_work.p99, m.tick_work.most}},
+          {"others", {m.others.error_m, m.others.work.mean, m.others.work.p99, m.others.work.most}},
+          {"others_failure", m.others.failure},
           {"resolution", m.resolution_m},
           {"contacts", m.contacts},
           {"work", m.work.work},
@@ -67,6 +69,8 @@ Measured measured_of(const Json& j) {
   m.windows_resolution_m = windows(3);
   const auto work = [&j](std::size_t k) { return number_of(j.at("tick_work").at(k)); };
   m.tick_work = {work(0), work(1), work(2)};
+  const auto others = [&j](std::size_t k) { return number_of(j.at("others").at(k)); };
+  m.others = {others(0), {others(1), others(2), others(3)}, j.at("others_failure")};
   m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");
   m.work.work = j.at("work");

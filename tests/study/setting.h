@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ribbon/cord_def.h"
+#include "ribbon/study/conditions.h"
 
 namespace study {
 
@@ -34,6 +36,15 @@ struct Mesh {
 
 Mesh mesh_of(const Setting& setting);
 
+/// A setting for all cords of a level, and in its place others for some.
+struct CordSettings {
+  // NOLINTNEXTLINE(google-explicit-constructor): one setting for all is the usual case
+  CordSettings(Setting all = {}) : common(std::move(all)) {}
+
+  Setting common;                ///< of thrown lines too
+  std::map<int, Setting> own{};  ///< by id of the cord's object in the map
+};
+
 /// Returns the name: tr_bdf2 substeps=1 tolerance=0.0005 points=x2
 std::string name_of(const Setting& setting);
 
@@ -53,9 +64,7 @@ bool is_box2d(const Setting& setting);
 /// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 
-/// The budget of work of what others are compared with. A tick that spends its budget where a cord touches something is
-/// redone as one linearised step, which is less accurate than one substep, and the same for any number of them.
-inline constexpr int unlimited_work = 1'000'000;
+using ribbon::study::unlimited_work;
 
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for
 /// `quick` and for ribbons; with unlimited_work.

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "ribbon/box2d/convert.h"
-#include "tests/study/setting.h"
+#include "ribbon/study/accuracies.h"
+#include "ribbon/study/conditions.h"
+#include "ribbon/study/motion.h"
 
 namespace study {
 namespace {
@@ -145,41 +146,6 @@ std::string blow_up_of(const Trace& trace, std::size_t number) {
   return "blew up in tick " + std::to_string(number);
 }
 
-constexpr ribbon::Accuracy lead_in_accuracy{ribbon::Integrator::tr_bdf2, 16, 8, 1e-6, unlimited_work};
-
-/// Changes the accuracy of all cords of the direct solver, and back to that of the level.
-class Accuracies {
- public:
-  /// None: the cords' own.
-  void set(ribbon::box2d::Coupling& coupling, const std::optional<ribbon::Accuracy>& accuracy) {
-    for (const ribbon::box2d::CordId c : coupling.cords()) {
-      if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
-      ribbon::Cord& cord = coupling.cord(c).direct();
-      const auto own = own_.try_emplace(c, cord.def().accuracy).first;
-      const ribbon::Accuracy& wanted = accuracy ? *accuracy : own->second;
-      if (!(cord.def().accuracy == wanted)) cord.set_accuracy(wanted);
-    }
-  }
-
- private:
-  std::map<ribbon::box2d::CordId, ribbon::Accuracy> own_;  // of the cords that it has seen
-};
-
-void kick(engine::Scene& scene, double speed) {
-  ribbon::box2d::Coupling& coupling = scene.coupling();
-  for (const ribbon::box2d::CordId c : coupling.cords()) {
-    if (coupling.cord(c).solver() != ribbon::box2d::Solver::direct) continue;
-    ribbon::Cord& cord = coupling.cord(c).direct();
-    for (int p = 0; p < static_cast<int>(cord.velocities().size()); ++p) {
-      cord.set_velocity(p, cord.velocities()[static_cast<std::size_t>(p)] + Vec2{speed, 0.0});
-    }
-  }
-  for (b2Body* body = scene.world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (body->GetType() != b2_dynamicBody) continue;
-    body->SetLinearVelocity(body->GetLinearVelocity() + b2Vec2{static_cast<float>(speed), 0.0F});
-  }
-}
-
 }  // namespace
 
 std::vector<Vec2> middle_line(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
@@ -244,15 +210,16 @@ Trace run_part(const game::Level& level, std::span<const engine::TickInput> inpu
   run.reset();
   const Method own;
   Recorder recorder(run.simulation().scene(), own);
-  Accuracies accuracies;
+  ribbon::study::Accuracies accuracies;
   const std::size_t lead_in = std::min(part.lead_in, part.begin);
   for (std::size_t k = 0; k < part.begin; ++k) {
-    if (k + lead_in >= part.begin) accuracies.set(run.simulation().scene().coupling(), lead_in_accuracy);
+    if (k + lead_in >= part.begin) accuracies.set(run.simulation().scene().coupling(), ribbon::study::lead_in_accuracy);
     run.tick();
   }
-  if (part.kick != 0.0) kick(run.simulation().scene(), part.kick);
+  engine::Scene& scene = run.simulation().scene();
+  if (part.kick != 0.0) ribbon::study::kick(scene.world(), scene.coupling(), part.kick);
   for (std::size_t k = part.begin; k < std::min(part.begin + part.ticks, inputs.size()); ++k) {
-    accuracies.set(run.simulation().scene().coupling(), part.accuracy);
+    accuracies.set(run.simulation().scene().coupling(), part.accuracy, part.by_cord);
     run.tick();
     recorder.add(run.simulation());
     recorder.trace().failure = blow_up_of(recorder.trace(), k + 1);

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -105,6 +106,7 @@ struct Part {
   /// without a lead-in, 64 substeps push apart what presses on the contacts of one.
   std::size_t lead_in = 0;
   double kick = 0.0;  ///< m/s, added at `begin` to the horizontal velocity of all points and dynamic bodies
+  std::map<ribbon::box2d::CordId, ribbon::Accuracy> by_cord{};  ///< of some cords, in place of `accuracy`
 };
 
 /// Runs a part of the inputs, or until a position is as in `run`. Before it and its lead-in the level has its own

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 
 #include "game/simulation/buttons.h"
@@ -25,8 +24,9 @@ std::vector<Setting> own_settings() {
   return own;
 }
 
-StudyOptions options_of(std::vector<Setting> settings) {
+StudyOptions options_of(std::vector<Setting> settings, std::vector<Inputs> others = {}) {
   StudyOptions options;
+  options.others = std::move(others);
   options.quick = true;
   options.repeats = repeats;
   options.windows = windows;
@@ -36,7 +36,7 @@ StudyOptions options_of(std::vector<Setting> settings) {
 
 /// The study with counted work in place of time: its cheapest setting is the same on every machine.
 Study by_work(Study study) {
-  for (Measured& m : study.settings) m.cost_us = m.tick_work.mean;
+  for (Measured& m : study.settings) m.cost_us = largest_work(m).mean;
   return study;
 }
 
@@ -49,35 +49,7 @@ std::pair<double, double> value_of(const Limits& limits, const Measured& m, doub
   return {m.tick_work.most, *limits.most_work};
 }
 
-bool holds_a_cord(const game::Level& level, const std::vector<engine::TickInput>& inputs) {
-  game::Simulation simulation(level);
-  return std::any_of(inputs.begin(), inputs.end(), [&simulation](const engine::TickInput& input) {
-    simulation.tick(input);
-    return simulation.scene().coupling().body(simulation.player().body()).held_place().has_value();
-  });
-}
-
 }  // namespace
-
-std::vector<engine::TickInput> random_inputs(unsigned seed, int count) {
-  constexpr int held_for = 15;  // ticks, on average
-  std::mt19937 random(seed);
-  std::vector<engine::TickInput> inputs(static_cast<std::size_t>(count));
-  std::uint16_t buttons = game::button_right;
-  for (engine::TickInput& input : inputs) {  // mostly right and grab, because levels go to the right
-    if (random() % held_for == 0) {
-      buttons = 0;
-      for (const auto& [button, eighths] : {std::pair{game::button_left, 1U},
-                                            {game::button_right, 7U},
-                                            {game::button_jump, 4U},
-                                            {game::button_grab, 6U}}) {
-        if (random() % 8 < eighths) buttons = static_cast<std::uint16_t>(buttons | button);
-      }
-    }
-    input.buttons = buttons;
-  }
-  return inputs;
-}
 
 std::vector<Promise> promises_of(const Limits& limits) {
   std::vector<Promise> promises;
@@ -109,12 +81,17 @@ std::size_t index_in(std::vector<Setting>& settings, const Setting& setting) {
 /// The rows of a run; only their promises, failures and run are set if its level cannot be varied.
 class PromiseTrial {
  public:
-  PromiseTrial(std::size_t run, const LevelFile& level, const ValidationOptions& options, const Measure& measure_level)
-      : seed_(static_cast<unsigned>(2 * run)), level_(&level), options_(&options), measure_(&measure_level) {
+  PromiseTrial(std::size_t run, std::span<const LevelFile> levels, const ValidationOptions& options,
+               const Measure& measure_level)
+      : seed_(static_cast<unsigned>(2 * run)),
+        number_(run % levels.size()),
+        level_(&levels[number_]),
+        options_(&options),
+        measure_(&measure_level) {
     for (const Promise& promise : options.promises) {
       PromiseRow& row = rows_.emplace_back();
       row.run = run + 1;
-      row.level = level.level().name;
+      row.level = level_->level().name;
       row.promise = promise.name;
     }
   }
@@ -130,7 +107,8 @@ class PromiseTrial {
 
  private:
   void run(const LevelFile& varied) {
-    const Study chosen_on = (*measure_)(varied, random_inputs(seed_, options_->ticks), options_of(own_settings()));
+    const Study chosen_on =
+        (*measure_)(varied, random_inputs(seed_, options_->ticks), options_of(own_settings(), others_in(varied)));
     const Study counted = by_work(chosen_on);
     const Calibration fit = calibrate(chosen_on);
     std::vector<std::optional<std::size_t>> chosen;  // by promise: the index in retested
@@ -140,14 +118,22 @@ class PromiseTrial {
       chosen.push_back(choice.setting ? std::optional(index_in(retested, chosen_on.settings[*choice.setting].setting))
                                       : std::nullopt);
     }
-    const std::vector<engine::TickInput> other_input = random_inputs(seed_ + 1, options_->ticks);
-    const bool holds = holds_a_cord(varied.level(), other_input);
+    const Inputs other_input = random_inputs(seed_ + 1, options_->ticks);
+    const bool holds = !meetings_of(varied.level(), other_input).held.empty();
     const Study again = retested.empty() ? Study{} : (*measure_)(varied, other_input, options_of(retested));
     const std::vector<Point> points = applicable(again);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       rows_[k].holds_cord = holds;
       if (chosen[k]) judge(rows_[k], options_->promises[k].limits, again.settings[*chosen[k]], points[*chosen[k]], fit);
     }
+  }
+
+  std::vector<Inputs> others_in(const LevelFile& varied) const {
+    std::vector<Inputs> others = players_that_meet_cords(varied.level(), seed_, options_->others);
+    if (number_ >= options_->recorded.size()) return others;
+    const Inputs& recorded = options_->recorded[number_];
+    if (!recorded.empty() && meetings_of(varied.level(), recorded).any_cord) others.push_back(recorded);
+    return others;
   }
 
   static void judge(PromiseRow& row, const Limits& limits, const Measured& m, const Point& point,
@@ -160,6 +146,7 @@ class PromiseTrial {
   }
 
   unsigned seed_;
+  std::size_t number_;  // of the level
   const LevelFile* level_;
   const ValidationOptions* options_;
   const Measure* measure_;
@@ -198,7 +185,7 @@ void validate_recommendations(std::span<const LevelFile> levels, const Validatio
     if (options.shard.has(run, all)) own.push_back(run);
   }
   for (std::size_t k = 0; k < own.size(); ++k) {
-    PromiseTrial trial(own[k], levels[own[k] % levels.size()], options, measure_level);
+    PromiseTrial trial(own[k], levels, options, measure_level);
     add(trial.rows(), static_cast<double>(k + 1) / static_cast<double>(own.size()));
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/study/limits.h"
+#include "tests/study/players.h"
 #include "tests/study/shard.h"
 
 namespace study {
@@ -52,24 +53,24 @@ std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> 
 struct ValidationOptions {
   std::vector<Promise> promises = promises_of({});
   int runs = 100;
-  int ticks = 120;  ///< of each input
-  Shard shard;      ///< of the runs of all levels, which alternate
+  int ticks = 120;                 ///< of each input
+  std::size_t others = 4;          ///< number of players, beside the first, that a setting is chosen with
+  std::vector<Inputs> recorded{};  ///< by level: of another such player; without any none
+  Shard shard;                     ///< of the runs of all levels, which alternate
 };
 
 using Measure =
     std::function<Study(const LevelFile&, const std::vector<engine::TickInput>& inputs, const StudyOptions& options)>;
 
 /// Validates recommendations with random inputs in variations of the levels, in turn, and calls `add` with the rows of
-/// each run. Settings are recommended for one input and measured again with another input in the same variation.
+/// each run. Settings are recommended as a study does, for the worst of several players (those that meet cords, and the
+/// recorded one), and measured again with yet another player in the same variation.
 /// `measure_level` is `measure`, or a test's substitute.
 void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
                               const std::function<void(const std::vector<PromiseRow>&, double share)>& add,
                               const Measure& measure_level);
 void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
                               const std::function<void(const std::vector<PromiseRow>&, double share)>& add);
-
-/// Returns random buttons for a number of ticks; the same for the same seed.
-std::vector<engine::TickInput> random_inputs(unsigned seed, int ticks);
 
 /// The rows as lines of CSV.
 std::string promises_header();

@@ -47,6 +47,7 @@ std::vector<PromiseRow> rows_of(int runs, const std::function<void(int k, Measur
   ValidationOptions options;
   options.promises = promises_of(limits);
   options.runs = runs;
+  options.others = 0;
   options.shard = shard;
   std::vector<PromiseRow> all;
   const auto add = [&](const std::vector<PromiseRow>& rows, double) {
@@ -155,6 +156,7 @@ TEST(Validation, LevelsAlternateAndEachRunDiffers) {
   const std::vector<LevelFile> levels = {level, level.varied(1000)};
   ValidationOptions options;
   options.runs = 2;
+  options.others = 0;
   validate_recommendations(
       levels, options, [](const auto&, double) {}, measure);
   ASSERT_EQ(hashes.size(), 8U);
@@ -169,6 +171,37 @@ TEST(Validation, LevelsAlternateAndEachRunDiffers) {
                               [](const auto& a, const auto& b) { return a.buttons == b.buttons; }));
     }
   }
+}
+
+/// A setting is chosen with the players that meet cords and the recorded one, and tested with one player alone.
+TEST(Validation, SettingsAreChosenWithSeveralPlayers) {
+  const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
+  const Inputs recorded = random_inputs(77, 240);
+  std::vector<std::size_t> others;
+  const Measure measure = [&](const LevelFile&, const auto&, const StudyOptions& options) {
+    others.push_back(options.others.size());
+    if (!options.others.empty()) {
+      EXPECT_EQ(options.others.back().size(), recorded.size());
+    }
+    Study study;
+    for (const Setting& setting : options.grid) {
+      study.settings.push_back(measured_of(setting));
+      const bool is_exact = setting.substeps == 4 && setting.tolerance == 1e-4;
+      if (!options.others.empty()) study.settings.back().others.error_m = is_exact ? 1e-3 : 2e-2;
+      study.settings.back().tick_work.mean = is_exact ? 2000.0 : 1000.0;
+    }
+    return study;
+  };
+  ValidationOptions options;
+  options.runs = 1;
+  options.others = 2;
+  options.recorded = {recorded};
+  options.promises = promises_of({.max_error_m = 1e-2});
+  std::vector<PromiseRow> rows;
+  validate_recommendations(
+      levels, options, [&](const auto& some, double) { rows = some; }, measure);
+  EXPECT_EQ(others, (std::vector<std::size_t>{3, 0}));
+  EXPECT_EQ(rows.at(0).setting, "tr_bdf2 substeps=4 tolerance=0.0001");
 }
 
 TEST(Validation, TheRowsOfShardsAreThoseOfTheWhole) {
@@ -277,7 +310,7 @@ TEST(Variation, StaysWithinItsRangesAndCoversThem) {
 
 TEST(Variation, IsTheLevelThatIsMeasured) {
   const LevelFile file = LevelFile(TEST_ASSETS "/levels/first_swing.tmj").varied(7);
-  const auto with = file.with({"direct", "tr_bdf2", 2, 1e-5}).make_scene();
+  const auto with = file.with(Setting{"direct", "tr_bdf2", 2, 1e-5}).make_scene();
   const auto own = file.level().make_scene();
   EXPECT_EQ(with->coupling().cord(0).direct().def().points, own->coupling().cord(0).direct().def().points);
   EXPECT_EQ(with->coupling().cord(0).direct().def().mass_per_length,

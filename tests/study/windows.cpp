@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/study/conditions.h"
 #include "tests/study/setting.h"
 
 namespace study {
-namespace {
 
-constexpr double max_reference_difference = 1e-4;  // m, accepted difference of the references
+using ribbon::study::max_probe_difference;
+using ribbon::study::max_reference_difference;
+using ribbon::study::probe_kick;
+
+namespace {
 
 /// Evenly spaced along a run; each window is complete if the run is long enough.
 std::vector<std::size_t> begins_of(std::size_t ticks, std::size_t most) {
@@ -92,8 +96,10 @@ Trace Windows::run(std::size_t begin, std::size_t count, const std::optional<rib
   return run_part(*level_, inputs_, {begin, count, accuracy, lead_in, kick});
 }
 
-WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy) const {
-  return pooled([&](const Window& window) { return run(window.begin, window.longest(), accuracy); });
+WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy, const CordAccuracies& by_cord) const {
+  return pooled([&](const Window& window) {
+    return run_part(*level_, inputs_, {window.begin, window.longest(), accuracy, lead_in, 0.0, by_cord});
+  });
 }
 
 /// RMS over the compared ticks of all windows.

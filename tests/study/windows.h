@@ -36,12 +36,14 @@ class Windows {
   Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
           const ribbon::Accuracy& finer, std::size_t most);
 
-  /// Returns the errors with a setting (none: the level's own) relative to the finer reference, in all compared ticks.
-  WindowErrors errors(const std::optional<ribbon::Accuracy>& accuracy) const;
+  using CordAccuracies = std::map<ribbon::box2d::CordId, ribbon::Accuracy>;
+  /// Returns the errors with a setting (none: the level's own), or another one for some cords, relative to the finer
+  /// reference, in all compared ticks.
+  WindowErrors errors(const std::optional<ribbon::Accuracy>& accuracy, const CordAccuracies& by_cord = {}) const;
   /// Returns the differences of the references in these ticks. Errors below ten times that are unknown.
   WindowErrors agreement() const { return agreement_; }
   /// Return the share of the windows' ticks in which cords and players are compared: while the references differ by at
-  /// most 0.1 mm, RMS, and probes (see probe_kick) by at most max_probe_difference.
+  /// most 0.1 mm, RMS, and probes (see probe_kick of engine/study/conditions.h) by at most max_probe_difference.
   double compared_cords() const { return share(&Window::cords); }
   double compared_players() const { return share(&Window::player); }
   std::size_t count() const { return windows_.size(); }
@@ -66,11 +68,6 @@ class Windows {
   std::vector<Window> windows_;
   WindowErrors agreement_;
 };
-
-/// Where the motion is too sensitive, no setting is judged. Two runs with a moderate setting whose velocities differ by
-/// twice probe_kick [m/s], about a millimetre in a quarter of a second, must not differ by a centimetre.
-inline constexpr double probe_kick = 2e-3;
-inline constexpr double max_probe_difference = 1e-2;  // m
 
 /// Return the number of ticks in which two runs differ by at most `most` [m]: their cords, RMS over all stations of
 /// those that exist in both, their players, and their bodies.

@@ -108,6 +108,9 @@ void add_level_options(CLI::App& app, study::Command& study) {
   app.add_option("--budget-work", study.limits.most_work,
                  "The same in counted work, which is the same on every machine: a number above 0, of the greatest tick")
       ->check(CLI::PositiveNumber);
+  app.add_flag("--by-cord", study.by_cord,
+               "Look for settings by cord, too: some cheaper than one setting for all. With --apply these are written")
+      ->needs(level);
   app.add_flag("--apply", study.apply, "Write the recommended setting to the level")->needs(level);
   app.add_option(
          "--validate,--promises", study.validation_runs,

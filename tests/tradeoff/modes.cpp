@@ -24,7 +24,7 @@ const std::vector<Mode>& modes() {
       {"--promises-of", {}},
       {"--level",
        {"--replay", "--quick", "--repeats", "--out", "--max-error", "--budget", "--budget-p99", "--budget-most",
-        "--budget-work", "--apply", "--terms"}},
+        "--budget-work", "--by-cord", "--apply", "--terms"}},
       {"--scene", {"--repeats", "--out", "--csv"}}};
   return all;
 }

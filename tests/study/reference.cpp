@@ -1,0 +1,31 @@
+#include "tests/study/reference.h"
+
+#include <algorithm>
+
+#include "ribbon/study/conditions.h"
+#include "tests/study/errors.h"
+#include "tests/study/text.h"
+#include "tests/study/tunnelling.h"
+
+namespace study {
+
+Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs) {
+  Reference about;
+  about.mesh = mesh;
+  about.ticks = std::min(agreeing_ticks(runs.left, runs.right, ribbon::study::max_probe_difference),
+                         agreeing_ticks(runs.other, runs.finer, ribbon::study::max_reference_difference));
+  about.chaotic = difference(statistics(runs.finer, about.ticks), statistics(runs.other, about.ticks));
+  about.unconverged_ticks = runs.finer.unconverged_ticks;
+  about.posed = runs.finer.work.posed;
+  about.agreement_m = difference(runs.finer, runs.other, about.ticks).greatest_length();
+  return about;
+}
+
+std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
+  if (!run.failure.empty()) return run.failure;
+  std::string tunnelling = tunnelling_failure(run.crossings, reference.crossings, reference.declared, ticks);
+  if (!tunnelling.empty()) return tunnelling;
+  return run.unconverged_ticks == 0 ? "" : count_of(run.unconverged_ticks, "tick") + " not converged";
+}
+
+}  // namespace study

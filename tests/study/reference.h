@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "tests/study/setting.h"
+#include "tests/study/statistics.h"
+#include "tests/study/trace.h"
+
+namespace study {
+
+/// The results of the converged runs of a level.
+struct Reference {
+  Mesh mesh;
+  std::size_t ticks = 0;      ///< while the runs differ by at most 0.1 mm, and probes by max_probe_difference
+  double agreement_m = 0.0;   ///< difference of two converged runs with different substeps in these ticks
+  Statistics chaotic;         ///< difference of these two runs after these ticks
+  int unconverged_ticks = 0;  ///< of the reference
+  int posed = 0;              ///< IslandReport::posed of the reference: such steps are not converged
+};
+
+/// The runs that show which ticks can be compared: two converged ones, and two probes with opposite kicks.
+struct ReferenceRuns {
+  const Trace& finer;  ///< what others are compared with
+  const Trace& other;
+  const Trace& left;
+  const Trace& right;
+};
+Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs);
+
+/// Returns why a run does not count: it became unstable, tunnelled where its reference did not (see
+/// tunnelling_failure), or did not converge in all ticks; empty if it counts.
+std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);
+
+}  // namespace study
