@@ -60,11 +60,11 @@ void build(Bench& bench, const KnobValues& values, Vec2) {
     bench.hold(0, point, weight);
   };
   hang(0, def.positions.front(), light_weight);
-  hang(def.points - 1, def.positions.back(), light_weight * values[Knob::load_ratio]);
+  hang(def.points - 1, def.positions.back(), light_weight * values[Knob::weight_ratio]);
 }
 
 void tune(Bench& bench, const KnobValues& values) {
-  bench.set_mass(*bench.bodies().back().body, light_weight * values[Knob::load_ratio]);
+  bench.set_mass(*bench.bodies().back().body, light_weight * values[Knob::weight_ratio]);
 }
 
 std::vector<Reading> readings(const Bench& bench, const KnobValues& values) {
@@ -84,7 +84,7 @@ Scene capstan() {
           .low = {-2.5, -2.75},
           .high = {2.5, 0.75},
           .knobs = together(
-              {{Knob::load_ratio, 1.0, 1e4, 2.3, Scale::logarithmic},
+              {{Knob::weight_ratio, 1.0, 1e4, 2.3, Scale::logarithmic},
                {.knob = Knob::turns, .min = 0.0, .max = 3.0, .initial = 0.0, .scale = Scale::whole, .rebuilds = true},
                {Knob::friction, 0.0, 1.0, 0.3},
                {.knob = Knob::stretch,

@@ -9,6 +9,7 @@ namespace game::lab {
 /// What the sliders of the lab change. Each scene has some of them.
 enum class Knob : std::uint8_t {
   load_ratio,      ///< mass of the load / mass of the cord
+  weight_ratio,    ///< mass of the heavy weight / mass of the light one
   start_angle,     ///< degrees between the cord and the vertical at the start
   turns,           ///< whole turns around the post, in addition to half a one
   count,           ///< number of cords

@@ -187,7 +187,7 @@ void Console::draw_knob(Canvas& canvas, const Experiment& experiment, std::size_
   if (focused)
     canvas.panel(place.corner + Vec2{2.0 * unit, 2.0 * unit}, {3.0 * unit, place.size.y - 4.0 * unit}, 0.0, look::gold);
   const double y = bar.corner.y - canvas.line_height(size) - 1.0 * unit;
-  canvas.text({bar.corner.x, y}, name_of(experiment.scene(), range.knob), size, focused ? look::white : look::faint);
+  canvas.text({bar.corner.x, y}, name_of(range.knob), size, focused ? look::white : look::faint);
   canvas.text({bar.corner.x + bar.size.x, y}, value_in_words(range.knob, value), size, look::white, Align::right);
   canvas.panel(bar.corner, bar.size, 0.5 * bar.size.y, look::field);
   const double share = range.position_of(value);

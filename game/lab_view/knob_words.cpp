@@ -23,9 +23,10 @@ const char* preset_name(double value) {
 
 }  // namespace
 
-const char* name_of(const Scene& scene, Knob knob) {
+const char* name_of(Knob knob) {
   switch (knob) {
-    case Knob::load_ratio: return scene.name == "capstan" ? words::lab::weight_ratio : words::lab::load_ratio;
+    case Knob::load_ratio: return words::lab::load_ratio;
+    case Knob::weight_ratio: return words::lab::weight_ratio;
     case Knob::start_angle: return words::lab::start_angle;
     case Knob::turns: return words::lab::turns;
     case Knob::count: return words::lab::count;
@@ -50,7 +51,8 @@ const char* name_of(const Scene& scene, Knob knob) {
 
 std::string value_in_words(Knob knob, double value) {
   switch (knob) {
-    case Knob::load_ratio: return filled_with(words::lab::ratio_value, value);
+    case Knob::load_ratio:
+    case Knob::weight_ratio: return filled_with(words::lab::ratio_value, value);
     case Knob::start_angle: return filled_with(words::lab::degrees_value, value);
     case Knob::load_share: return filled_with(words::lab::times_value, value);
     case Knob::may_sleep:

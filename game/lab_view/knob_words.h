@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "game/lab/scene.h"
+#include "game/lab/knobs.h"
 
 namespace game::lab {
 
-/// Returns the name of a knob of a scene, and its value, for the player.
+/// Return the name of a knob, and its value, for the player.
 /// @{
-const char* name_of(const Scene& scene, Knob knob);
+const char* name_of(Knob knob);
 std::string value_in_words(Knob knob, double value);
 /// @}
 

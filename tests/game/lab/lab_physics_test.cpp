@@ -88,7 +88,7 @@ TEST(LabCapstan, HoldsUpToTheExactRatio) {
     const auto drop = [&](double share) {
       Experiment experiment(scene_named("capstan"));
       experiment.set(Knob::turns, turns);
-      experiment.set(Knob::load_ratio, share * limit);
+      experiment.set(Knob::weight_ratio, share * limit);
       experiment.restart();
       const b2Body& heavy = *cords_of(experiment).bodies().back().body;
       const double start = to_double(heavy.GetPosition()).y;
