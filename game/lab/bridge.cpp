@@ -45,8 +45,8 @@ std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
 Scene bridge() {
   using Scale = KnobRange::Scale;
   return {.name = "bridge",
-          .low = {-4.9, -3.9},
-          .high = {4.9, 1.2},
+          .low = {-4.8, -3.2},
+          .high = {4.8, 1.0},
           .knobs = together({{Knob::load_ratio, 0.01, 1e4, 30.0, Scale::logarithmic},
                              {.knob = Knob::stretch,
                               .min = 100.0,

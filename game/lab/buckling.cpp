@@ -45,7 +45,7 @@ void build(Bench& bench, const KnobValues& values, Vec2) {
     def.accuracy = accuracy_of(values);
     bench.add(def);
     // A column that stays exactly straight would not show that it could buckle.
-    bench.coupling().cord(static_cast<int>(k)).direct().set_velocity(points - 1, {0.1, 0.0});
+    bench.coupling().cord(static_cast<int>(k)).direct().set_velocity(points - 1, {0.3, 0.0});
   }
   load(bench, values);
 }

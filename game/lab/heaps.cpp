@@ -59,20 +59,20 @@ void build_pile(Bench& bench, const KnobValues& values, Vec2) {
 
 void build_strips(Bench& bench, const KnobValues& values, Vec2) {
   constexpr int columns = 6;
-  constexpr double cell = 2.0;  // m, of the lattice
+  constexpr int rows = 6;
+  constexpr double cell = 2.0;  // m, of the lattice: two pegs
   constexpr double right = columns * cell;
   constexpr double floor = -6.4;
   bench.add_edges(std::array{Vec2{0.0, 20.0}, Vec2{0.0, floor}, Vec2{right, floor}, Vec2{right, 20.0}},
                   values[Knob::friction]);
-  for (int row = 0; row < 6; ++row) {
-    for (int column = 0; column <= 2 * columns; ++column) {
-      const Vec2 at{0.5 * cell * column + (row % 2 == 0 ? 0.0 : 0.25 * cell), -0.8 * row};
-      bench.add(Disc{.type = b2_staticBody, .at = at, .radius = 0.12, .friction = values[Knob::friction]});
-    }
+  for (int row = 0; row < rows; ++row) {
+    const double first = row % 2 == 0 ? 0.5 : 1.0;
+    for (double x = first; x < right; x += 0.5 * cell)
+      bench.add(Disc{.type = b2_staticBody, .at = {x, -0.8 * row}, .radius = 0.09, .friction = values[Knob::friction]});
   }
   for (int k = 0; k < values.whole(Knob::count); ++k) {
-    const Vec2 corner{cell * (k % columns) + 0.1 + 0.02 * (k * 7 % 11), 0.4 + 0.3 * (k / columns)};
-    ribbon::CordDef def = level_ribbon(33, 0.05, 0.05, corner);
+    const Vec2 corner{cell * (k % columns) + 0.1 + 0.08 * (k * 7 % 11), 0.3 + 0.35 * (k / columns)};
+    ribbon::CordDef def = level_ribbon(21, 0.05, 0.05, corner);
     def.mass_per_length = 0.0825;
     finish(def, values);
     bench.add(def);
@@ -80,13 +80,13 @@ void build_strips(Bench& bench, const KnobValues& values, Vec2) {
 }
 
 /// Returns the knobs of a scene with up to `most` cords.
-std::vector<KnobRange> knobs(double most, double initial) {
+std::vector<KnobRange> knobs(double most, double initial, double friction) {
   using Scale = KnobRange::Scale;
   return together(
       {{.knob = Knob::count, .min = 2.0, .max = most, .initial = initial, .scale = Scale::whole, .rebuilds = true},
        {Knob::stretch, 10.0, 1e4, 50.0, Scale::logarithmic},
        {Knob::bending, 1e-3, 1.0, 0.01, Scale::logarithmic},
-       {Knob::friction, 0.0, 1.0, 0.4}},
+       {Knob::friction, 0.0, 1.0, friction}},
       accuracy_knobs(0));
 }
 
@@ -96,7 +96,7 @@ Scene pile() {
   return {.name = "pile",
           .low = {-2.2, -0.15},
           .high = {2.2, 2.75},
-          .knobs = knobs(24.0, 12.0),
+          .knobs = knobs(24.0, 12.0, 0.4),
           .build = build_pile,
           .readings = readings};
 }
@@ -105,7 +105,7 @@ Scene strips() {
   return {.name = "strips",
           .low = {-0.3, -6.6},
           .high = {12.3, 2.0},
-          .knobs = knobs(48.0, 24.0),
+          .knobs = knobs(48.0, 24.0, 0.1),
           .build = build_strips,
           .readings = readings};
 }

@@ -50,7 +50,7 @@ Scene heavy_load() {
   return {.name = "heavy_load",
           .low = {-6.7, -7.2},
           .high = {6.7, 0.9},
-          .knobs = together({{Knob::load_ratio, 1.0, 1e6, 1000.0, Scale::logarithmic},
+          .knobs = together({{Knob::load_ratio, 1.0, 1e6, 100.0, Scale::logarithmic},
                              {.knob = Knob::start_angle, .min = 0.0, .max = 90.0, .initial = 60.0, .rebuilds = true},
                              {.knob = Knob::stretch,
                               .min = 1e3,

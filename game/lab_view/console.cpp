@@ -26,7 +26,7 @@ constexpr double bar_height = 10.0;
 constexpr double button_height = 36.0;
 constexpr double button_gap = 8.0;
 constexpr int buttons_in_row = 3;
-constexpr double keys_size = 12.5;
+constexpr double keys_size = 12.0;
 
 bool contains(const Rectangle& place, Vec2 at) {
   const Vec2 off = at - place.corner;
@@ -192,7 +192,8 @@ void Console::draw_knob(Canvas& canvas, const Experiment& experiment, std::size_
   canvas.panel(bar.corner, bar.size, 0.5 * bar.size.y, look::field);
   const double share = range.position_of(value);
   const double at = bar.corner.x + share * bar.size.x;
-  canvas.panel(bar.corner, {std::max(at - bar.corner.x, bar.size.y), bar.size.y}, 0.5 * bar.size.y, look::focus);
+  if (range.scale != KnobRange::Scale::choice)
+    canvas.panel(bar.corner, {std::max(at - bar.corner.x, bar.size.y), bar.size.y}, 0.5 * bar.size.y, look::focus);
   engine::Mesh handle;
   add_disc(handle,
            {std::clamp(at, bar.corner.x + 0.5 * bar.size.y, bar.corner.x + bar.size.x - 0.5 * bar.size.y),

@@ -15,7 +15,6 @@ struct ConsoleInput {
   int right = 0;         ///< steps to the right; negative: to the left
   bool accept = false;   ///< by a key or a button of a gamepad
   ribbon::Vec2 mouse{};  ///< px
-  bool mouse_moved = false;
   bool pressed = false;  ///< the left mouse button went down
   bool held = false;     ///< the left mouse button is down
 };
@@ -46,6 +45,8 @@ struct ConsoleState {
 /// lines has the focus, for keys and gamepads; mouse and fingers need none.
 class Console {
  public:
+  /// Gives a line the focus: 0 is the first scene.
+  void set_focus(std::size_t line) { focus_ = line; }
   /// Reads the input of a frame. Call it with the layout that was drawn last.
   ConsoleRequest update(const ConsoleInput& input, const Experiment& experiment, const Layout& layout);
   /// Returns whether the console uses the mouse: something of it is held, or the pointer is on it.

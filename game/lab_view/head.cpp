@@ -28,7 +28,7 @@ std::string in_words(const Reading& reading) {
     return words::filled(text, {{"number", number}});
   };
   switch (reading.kind) {
-    case Kind::excess: return say(words::lab::excess, short_text(1e3 * reading.value));
+    case Kind::excess: return words::filled(words::lab::excess, {{"length", length_text(reading.value)}});
     case Kind::pull_ratio:
       return std::isfinite(reading.value) ? say(words::lab::pull_ratio, short_text(reading.value)) : "";
     case Kind::holding_limit: return say(words::lab::holding_limit, short_text(reading.value));

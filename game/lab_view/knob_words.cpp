@@ -58,7 +58,7 @@ std::string value_in_words(Knob knob, double value) {
     case Knob::may_sleep:
     case Knob::self_collision: return value != 0.0 ? words::on : words::off;
     case Knob::preset: return preset_name(value);
-    case Knob::tolerance: return filled_with(words::lab::millimetres_value, 1e3 * value);
+    case Knob::tolerance: return length_text(value);
     case Knob::stretch:
       return std::isinf(value) ? words::lab::inextensible : filled_with(words::lab::newtons_value, value);
     case Knob::bending: return filled_with(words::lab::stiffness_value, value);

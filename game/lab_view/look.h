@@ -22,9 +22,11 @@ inline constexpr engine::Color cord{86, 204, 242};         ///< of this library
 inline constexpr engine::Color cord_light{196, 240, 255};  ///< along its middle
 inline constexpr engine::Color cloth{86, 204, 242, 110};
 inline constexpr engine::Color chain{255, 150, 84};
-inline constexpr engine::Color gap{255, 72, 88};  ///< between two links of a chain that are torn apart
-inline constexpr engine::Color body{118, 134, 160};
-inline constexpr engine::Color body_rim{206, 216, 230};
+inline constexpr engine::Color gap{255, 72, 88};    ///< between two links of a chain that are torn apart
+inline constexpr engine::Color body{204, 150, 74};  ///< of a body that is awake
+inline constexpr engine::Color body_rim{255, 222, 150};
+inline constexpr engine::Color asleep{74, 86, 110};
+inline constexpr engine::Color asleep_rim{132, 146, 172};
 inline constexpr engine::Color fixed{62, 74, 98};
 inline constexpr engine::Color fixed_rim{128, 144, 172};
 

@@ -15,10 +15,10 @@ namespace {
 using engine::Canvas;
 using ribbon::Vec2;
 
-constexpr double text_size = 12.0;    // units of text
-constexpr double margin = 8.0;        // the same
-constexpr double least_energy = 1.0;  // J, shown range
-constexpr double least_log = -10.0;   // decimal logarithm of the smallest stretch that is shown
+constexpr double text_size = 12.0;     // units of text
+constexpr double margin = 8.0;         // the same
+constexpr double least_energy = 0.01;  // J, shown range
+constexpr double least_log = -10.0;    // decimal logarithm of the smallest stretch that is shown
 constexpr double most_log = 3.0;
 
 using Numbers = std::vector<std::vector<double>>;  // of each bench
@@ -52,8 +52,10 @@ double logarithm(double stretch) {
 Plot energy_plot(const History& history, std::size_t benches) {
   Plot plot{words::lab::energy_plot, numbers_of(history, benches, [](const auto& s) { return s.energy; }), {}, "", ""};
   plot.range = range_around(all_of(plot.numbers), least_energy);
-  plot.low = energy_text(plot.range.low);
-  plot.high = energy_text(plot.range.high);
+  // What is small beside the range is rounding.
+  const double small = 1e-4 * (plot.range.high - plot.range.low);
+  plot.low = energy_text(std::abs(plot.range.low) < small ? 0.0 : plot.range.low);
+  plot.high = energy_text(std::abs(plot.range.high) < small ? 0.0 : plot.range.high);
   return plot;
 }
 

@@ -39,7 +39,7 @@ Camera camera_of(const Scene& scene, const Rectangle& place) {
 struct Shapes {
   Mesh cords, lights, cloth, edges;
   Mesh links, gaps;
-  Mesh bodies, rims, fixed, fixed_rims;
+  Mesh bodies, rims, asleep, asleep_rims, fixed, fixed_rims;
   Mesh free, operated, constrained, bars;
 };
 
@@ -132,8 +132,9 @@ struct Drawer {
     const bool is_fixed = body.GetType() == b2_staticBody;
     const Vec2 center = canvas.to_pixels(to_double(body.GetWorldPoint(circle.m_p)));
     const double radius = static_cast<double>(circle.m_radius) * canvas.view().pixels_per_metre;
-    add_disc(is_fixed ? shapes.fixed : shapes.bodies, center, radius);
-    Mesh& rims = is_fixed ? shapes.fixed_rims : shapes.rims;
+    const bool is_asleep = !is_fixed && !body.IsAwake();
+    add_disc(is_fixed ? shapes.fixed : is_asleep ? shapes.asleep : shapes.bodies, center, radius);
+    Mesh& rims = is_fixed ? shapes.fixed_rims : is_asleep ? shapes.asleep_rims : shapes.rims;
     const double width = std::min(1.8 * layout.unit, 0.4 * radius);
     add_ring(rims, center, radius - 0.5 * width, width);
     if (is_fixed || radius < 6.0 * layout.unit) return;
@@ -164,6 +165,8 @@ struct Drawer {
   void paint() const {
     canvas.mesh(shapes.fixed, look::fixed);
     canvas.mesh(shapes.fixed_rims, look::fixed_rim);
+    canvas.mesh(shapes.asleep, look::asleep);
+    canvas.mesh(shapes.asleep_rims, look::asleep_rim);
     canvas.mesh(shapes.bodies, look::body);
     canvas.mesh(shapes.rims, look::body_rim);
     canvas.mesh(shapes.cloth, look::cloth);

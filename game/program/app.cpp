@@ -38,7 +38,7 @@ std::unique_ptr<PlayScreen> requested_run(Session& session, const RunOptions& op
 
 std::unique_ptr<Screen> requested_lab(Session& session, const RunOptions& options) {
   if (!options.lab) return nullptr;
-  return std::make_unique<LabScreen>(session, options.lab->empty() ? lab::scenes().front().name : *options.lab);
+  return std::make_unique<LabScreen>(session, *options.lab);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/tick/workers.h"
 #include "engine/window/sdl_canvas.h"
+#include "engine/window/sdl_window.h"
 #include "game/lab/figures.h"
-#include "game/screens/lab_screen.h"
-#include "game/screens/session.h"
+#include "game/lab_view/desk.h"
+#include "game/screens/screen.h"
 #include "game/simulation/run.h"
 #include "ribbon/box2d/state_hash.h"
 
@@ -23,21 +25,22 @@ int run_lab_headless(const RunOptions& options) {
   if (!options.ticks) {
     throw std::runtime_error("--headless --lab needs to know how far to run; accepted is --ticks N");
   }
-  Session session("", "");
-  LabScreen screen(session, options.lab->empty() ? lab::scenes().front().name : *options.lab);
-  for (int k = 0; k < *options.ticks; ++k) screen.tick();
-  for (const auto& bench : screen.experiment().benches()) {
+  engine::Workers workers;
+  lab::Desk desk(options.lab->empty() ? lab::scenes().front() : lab::scene_named(*options.lab), engine::now_ns,
+                 workers.parallel_for());
+  for (int k = 0; k < *options.ticks; ++k) desk.tick();
+  for (const auto& bench : desk.experiment().benches()) {
     std::printf("%s: stretched by %.6g %%, energy %.6g J\n", name_of(*bench), 100.0 * lab::greatest_stretch(*bench),
                 lab::energy(*bench));
   }
   if (!options.screenshot.empty()) {
     engine::HeadlessCanvas canvas(picture_width, picture_height);
-    screen.draw(canvas, text_scale_of(canvas, 1.0));
+    desk.draw(canvas, text_scale_of(canvas, 1.0));
     canvas.save_png(options.screenshot);
     std::printf("picture of the last moment: %s\n", options.screenshot.c_str());
   }
-  std::printf("ran %d ticks, hash %s\n", screen.experiment().ticks(),
-              ribbon::box2d::to_hex(screen.experiment().hash()).c_str());
+  std::printf("ran %d ticks, hash %s\n", desk.experiment().ticks(),
+              ribbon::box2d::to_hex(desk.experiment().hash()).c_str());
   return 0;
 }
 

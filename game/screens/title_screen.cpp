@@ -40,7 +40,7 @@ Next TitleScreen::update(const Frame& frame) {
   if (!choice) return Next::stay();
   switch (choice->item) {
     case play: return Next::open(std::make_unique<LevelScreen>(*session_));
-    case open_lab: return Next::open(std::make_unique<LabScreen>(*session_, lab::scenes().front().name));
+    case open_lab: return Next::open(std::make_unique<LabScreen>(*session_, ""));
     case options: return Next::open(std::make_unique<OptionsScreen>(*session_));
     case quit:
     default: return Next::quit();

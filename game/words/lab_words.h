@@ -4,7 +4,7 @@
 namespace game::words::lab {
 
 inline constexpr const char* title = "The lab";
-inline constexpr const char* keys = "↑ ↓ choose   ← → change";
+inline constexpr const char* keys = "↑ ↓ choose  ← → change";
 inline constexpr const char* buttons = "D-pad: choose, change";
 
 /// The title of a scene, and what it shows.
@@ -60,6 +60,7 @@ inline constexpr const char* ratio_value = "{number} : 1";
 inline constexpr const char* times_value = "{number} ×";
 inline constexpr const char* degrees_value = "{number}°";
 inline constexpr const char* millimetres_value = "{number} mm";
+inline constexpr const char* metres_value = "{number} m";
 inline constexpr const char* newtons_value = "{number} N";
 inline constexpr const char* stiffness_value = "{number} N·m²";
 inline constexpr const char* rate_value = "{number} /s";
@@ -82,7 +83,8 @@ inline constexpr const char* of_cords = "This library";
 inline constexpr const char* of_chains = "Box2D's chain";
 inline constexpr const char* of_thesis = "The thesis's method";
 inline constexpr const char* bench_figures = "{bench}: {median} µs a tick, at most {worst}; stretched by {stretch} %";
-inline constexpr const char* excess = "{number} mm too long";
+inline constexpr const char* excess = "{length} too long";
+inline constexpr const char* power = "{number}·10{exponent}";
 inline constexpr const char* pull_ratio = "pulls {number} : 1";
 inline constexpr const char* holding_limit = "holds up to {number} : 1";
 inline constexpr const char* critical_load = "critical load {number} N";

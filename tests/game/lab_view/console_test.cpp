@@ -110,7 +110,7 @@ TEST_P(ConsoleAt, KeysReachEverything) {
   for (std::size_t k = 0; k < scenes().size(); ++k) console.update({.down = 1}, experiment, layout);
   const auto turn = console.update({.right = 1}, experiment, layout).turn;
   ASSERT_TRUE(turn);
-  EXPECT_EQ(turn->value, experiment.scene().knobs.front().stepped(1000.0, 1));
+  EXPECT_EQ(turn->value, experiment.scene().knobs.front().stepped(experiment.scene().knobs.front().initial, 1));
 }
 
 /// A pixel of the world and the place that it shows belong together.
