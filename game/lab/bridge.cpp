@@ -55,7 +55,7 @@ Scene bridge() {
                               .scale = Scale::logarithmic,
                               .max_is_infinite = true},
                              {Knob::friction, 0.0, 2.0, 0.5},
-                             {Knob::chain_substeps, 1.0, 64.0, 1.0, Scale::whole}},
+                             {Knob::chain_substeps, 1.0, 64.0, 4.0, Scale::whole}},
                             accuracy_knobs(1)),
           .chains_at = Vec2{between, 0.0},
           .build = build,

@@ -76,8 +76,8 @@ std::vector<ShownForce> forces(const Bench& bench, const KnobValues& values) {
 Scene buckling() {
   using Scale = KnobRange::Scale;
   return {.name = "buckling",
-          .low = {-3.0, -1.2},
-          .high = {3.0, 2.5},
+          .low = {-3.1, -1.0},
+          .high = {4.3, 2.6},
           .knobs = together({{Knob::load_share, 0.0, 2.0, 1.0},
                              {Knob::bending, 0.1, 100.0, 1.0, Scale::logarithmic},
                              {.knob = Knob::stretch,

@@ -58,7 +58,7 @@ Scene heavy_load() {
                               .initial = infinity,
                               .scale = Scale::logarithmic,
                               .max_is_infinite = true},
-                             {Knob::chain_substeps, 1.0, 64.0, 1.0, Scale::whole}},
+                             {Knob::chain_substeps, 1.0, 64.0, 16.0, Scale::whole}},
                             accuracy_knobs(1)),
           .chains_at = Vec2{-2.0 * place.x, 0.0},
           .build = build,

@@ -21,6 +21,10 @@ constexpr double title_size = 22.0;
 constexpr double text_size = 13.5;
 constexpr double margin = 12.0;
 constexpr std::size_t about_lines = 2;
+constexpr std::size_t figure_lines = 2;  // of each bench
+constexpr double least_shown = 1e-12;    // of lengths in m and strains; what is less is rounding
+
+double without_rounding(double number) { return std::abs(number) < least_shown ? 0.0 : number; }
 
 std::string in_words(const Reading& reading) {
   using Kind = Reading::Kind;
@@ -28,7 +32,8 @@ std::string in_words(const Reading& reading) {
     return words::filled(text, {{"number", number}});
   };
   switch (reading.kind) {
-    case Kind::excess: return words::filled(words::lab::excess, {{"length", length_text(reading.value)}});
+    case Kind::excess:
+      return words::filled(words::lab::excess, {{"length", length_text(without_rounding(reading.value))}});
     case Kind::pull_ratio:
       return std::isfinite(reading.value) ? say(words::lab::pull_ratio, short_text(reading.value)) : "";
     case Kind::holding_limit: return say(words::lab::holding_limit, short_text(reading.value));
@@ -59,11 +64,11 @@ std::vector<std::string> figures_of(const Experiment& experiment, std::span<cons
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < experiment.benches().size(); ++k) {
     const Bench& bench = *experiment.benches()[k];
-    std::string line =
-        words::filled(words::lab::bench_figures, {{"bench", name_of(bench)},
-                                                  {"median", fixed_text(costs[k].median_us(), 0)},
-                                                  {"worst", fixed_text(costs[k].worst_us(), 0)},
-                                                  {"stretch", short_text(100.0 * greatest_stretch(bench))}});
+    std::string line = words::filled(words::lab::bench_figures,
+                                     {{"bench", name_of(bench)},
+                                      {"median", fixed_text(costs[k].median_us(), 0)},
+                                      {"worst", fixed_text(costs[k].worst_us(), 0)},
+                                      {"stretch", short_text(100.0 * without_rounding(greatest_stretch(bench)))}});
     for (const Reading& reading : experiment.scene().readings(bench, experiment.values())) {
       const std::string text = in_words(reading);
       if (!text.empty()) line += words::lab::between_figures + text;
@@ -90,12 +95,15 @@ void draw_head(engine::Canvas& canvas, const Experiment& experiment, std::span<c
     canvas.text({left, y}, text, size, look::faint);
     y += line;
   }
-  y = layout.head.size.y - static_cast<double>(figures.size()) * line - 2.0 * layout.unit;
+  // From the bottom upwards, so that they stand still above the world.
+  y = layout.head.size.y - 2.0 * layout.unit;
   constexpr std::array colors = {look::cord, look::chain};
-  for (std::size_t k = 0; k < figures.size(); ++k) {
-    for (const std::string& text : wrapped(canvas, figures[k], size, width, 1))
-      canvas.text({left, y}, text, size, colors[std::min(k, colors.size() - 1)]);
-    y += line;
+  for (std::size_t k = figures.size(); k-- > 0;) {
+    const std::vector<std::string> lines = wrapped(canvas, figures[k], size, width, figure_lines);
+    y -= line * static_cast<double>(lines.size());
+    for (std::size_t row = 0; row < lines.size(); ++row)
+      canvas.text({left, y + line * static_cast<double>(row)}, lines[row], size,
+                  colors[std::min(k, colors.size() - 1)]);
   }
 }
 
