@@ -65,6 +65,9 @@ void read_video_size(const std::string& text, game::RunOptions& options) {
 
 int run(const game::RunOptions& options) {
   check_paths(options);
+  if (options.lab && options.ticks && !options.headless) {
+    throw std::runtime_error("the lab in a window runs until it is closed; accepted with --ticks is --headless");
+  }
   const int status = !options.table.empty() ? game::print_table(options.table)
                      : !options.headless    ? game::run_in_window(options)
                      : options.lab          ? game::run_lab_headless(options)

@@ -85,6 +85,11 @@ Rectangle Console::button_place(Button button, const Layout& layout) {
           {width, height}};
 }
 
+void Console::begin(std::size_t scene) {
+  focus_ = scene;
+  slider_.reset();
+}
+
 bool Console::takes_mouse(Vec2 mouse, const Layout& layout) const {
   return slider_.has_value() || !contains(layout.world, mouse);
 }

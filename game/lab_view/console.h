@@ -45,8 +45,8 @@ struct ConsoleState {
 /// lines has the focus, for keys and gamepads; mouse and fingers need none.
 class Console {
  public:
-  /// Gives a line the focus: 0 is the first scene.
-  void set_focus(std::size_t line) { focus_ = line; }
+  /// Begins with another scene of scenes(): its line has the focus, and nothing is held.
+  void begin(std::size_t scene);
   /// Reads the input of a frame. Call it with the layout that was drawn last.
   ConsoleRequest update(const ConsoleInput& input, const Experiment& experiment, const Layout& layout);
   /// Returns whether the console uses the mouse: something of it is held, or the pointer is on it.

@@ -32,7 +32,7 @@ Desk::Desk(const Scene& scene, Clock clock, const ribbon::ParallelFor& parallel_
 void Desk::open(const Scene& scene) {
   experiment_ = std::make_unique<Experiment>(scene);
   experiment_->use(parallel_for_);
-  console_.set_focus(static_cast<std::size_t>(&scene - scenes().data()));
+  console_.begin(static_cast<std::size_t>(&scene - scenes().data()));
   restart();
 }
 
