@@ -65,9 +65,13 @@ void read_video_size(const std::string& text, game::RunOptions& options) {
 
 int run(const game::RunOptions& options) {
   check_paths(options);
+  if (options.lab && options.ticks && !options.headless) {
+    throw std::runtime_error("the lab in a window runs until it is closed; accepted with --ticks is --headless");
+  }
   const int status = !options.table.empty() ? game::print_table(options.table)
-                     : options.headless     ? game::run_headless(options)
-                                            : game::run_in_window(options);
+                     : !options.headless    ? game::run_in_window(options)
+                     : options.lab          ? game::run_lab_headless(options)
+                                            : game::run_headless(options);
   if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the output");
   return status;
 }
@@ -113,6 +117,18 @@ void add_comparisons(CLI::App& app, game::RunOptions& options) {
   table->excludes(ghost);
 }
 
+/// Adds the option for the lab, which excludes all that is about runs. Call it last.
+void add_lab(CLI::App& app, game::RunOptions& options) {
+  auto* lab = app.add_option_function<std::string>(
+                     "--lab", [&options](const std::string& scene) { options.lab = scene; },
+                     "Open the lab, with one of its scenes")
+                  ->type_name("[SCENE]")
+                  ->expected(0, 1);
+  for (const char* const name :
+       {"--level", "--replay", "--record", "--video", "--record-bad-ticks", "--ghost", "--table"})
+    lab->excludes(app.get_option(name));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -122,6 +138,7 @@ int main(int argc, char** argv) {
   std::string video_size;
   add_options(app, options, video_size);
   add_comparisons(app, options);
+  add_lab(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

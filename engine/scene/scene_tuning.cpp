@@ -31,6 +31,16 @@ ribbon::Cord::State carry_over(const ribbon::Cord& old, const ribbon::Cord& made
   return to;
 }
 
+bool same_grid(const ribbon::box2d::CordShape& shape, const CordDefinition& wanted) {
+  if (const auto* direct = std::get_if<ribbon::CordDef>(&wanted)) {
+    return shape.columns == direct->points && shape.rows == direct->rows;
+  }
+  const auto& thesis = std::get<ribbon::ThesisDef>(wanted);
+  return shape.columns == thesis.w && shape.rows == thesis.h;
+}
+
+}  // namespace
+
 void retune(ribbon::Cord& cord, ribbon::CordDef def) {
   if (!cord.pulleys().empty()) {  // its polyline does not have the length of the cord that lies around wheels
     def.length = cord.def().length;
@@ -46,16 +56,6 @@ void retune(ribbon::ThesisCord& cord, const ribbon::ThesisDef& def) {
   made.restore(cord.save());
   cord = std::move(made);
 }
-
-bool same_grid(const ribbon::box2d::CordShape& shape, const CordDefinition& wanted) {
-  if (const auto* direct = std::get_if<ribbon::CordDef>(&wanted)) {
-    return shape.columns == direct->points && shape.rows == direct->rows;
-  }
-  const auto& thesis = std::get<ribbon::ThesisDef>(wanted);
-  return shape.columns == thesis.w && shape.rows == thesis.h;
-}
-
-}  // namespace
 
 void retune(ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, const MapObject& object) {
   const CordDefinition wanted = read_cord(object);

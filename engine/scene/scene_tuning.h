@@ -10,4 +10,11 @@ namespace engine {
 /// other columns or rows, which need a new scene.
 void retune(ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord, const MapObject& object);
 
+/// Gives a cord, also one of a coupling, another definition with the same columns and rows while it moves: what it has,
+/// as above, stays. Throws ribbon::DefinitionError, without a change, if the definition is not accepted.
+/// @{
+void retune(ribbon::Cord& cord, ribbon::CordDef def);
+void retune(ribbon::ThesisCord& cord, const ribbon::ThesisDef& def);
+/// @}
+
 }  // namespace engine

@@ -9,6 +9,7 @@
 
 #include "engine/replay/replay.h"
 #include "game/program/bad_ticks.h"
+#include "game/screens/lab_screen.h"
 #include "game/screens/play_screen.h"
 #include "game/screens/title_screen.h"
 #include "game/settings/user_files.h"
@@ -35,6 +36,11 @@ std::unique_ptr<PlayScreen> requested_run(Session& session, const RunOptions& op
   return std::make_unique<PlayScreen>(session, requested, true);
 }
 
+std::unique_ptr<Screen> requested_lab(Session& session, const RunOptions& options) {
+  if (!options.lab) return nullptr;
+  return std::make_unique<LabScreen>(session, *options.lab);
+}
+
 }  // namespace
 
 App::App(const RunOptions& options)
@@ -42,6 +48,7 @@ App::App(const RunOptions& options)
       bad_ticks_(bad_tick_recorder(options)),
       session_(config_folder(), data_folder()),
       first_run_(requested_run(session_, options)),
+      first_lab_(requested_lab(session_, options)),
       direct_(first_run_.get()),
       window_(words::game_title, window_width, window_height),
       screenshots_(pictures_folder()),
@@ -52,6 +59,7 @@ App::App(const RunOptions& options)
     screens_.open(std::move(first_run_));
   } else {
     screens_.open(std::make_unique<TitleScreen>(session_));
+    if (first_lab_) screens_.open(std::move(first_lab_));
   }
 }
 

@@ -54,6 +54,7 @@ class App {
   std::unique_ptr<engine::FlightRecorder> bad_ticks_;  // null unless requested
   Session session_;
   std::unique_ptr<PlayScreen> first_run_;  // until the window is open
+  std::unique_ptr<Screen> first_lab_;      // the same
   PlayScreen* direct_;                     // the run that the command line requested, or null
   engine::Window window_;
   ScreenStack screens_;

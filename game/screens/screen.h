@@ -64,6 +64,8 @@ class Screen {
   virtual bool is_overlay() const { return false; }
   /// True if it shows the notice of the session itself. Otherwise it leaves the strip at the top free for it.
   virtual bool shows_notice() const { return false; }
+  /// True if a finger on a touch screen is a mouse everywhere; else parts of the screen are a stick and buttons.
+  virtual bool takes_fingers_as_mouse() const { return false; }
   /// Called before the screen or the window is closed, to complete files.
   virtual void leave() {}
 };

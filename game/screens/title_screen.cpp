@@ -5,6 +5,7 @@
 
 #include "game/screens/card.h"
 #include "game/screens/help.h"
+#include "game/screens/lab_screen.h"
 #include "game/screens/level_screen.h"
 #include "game/screens/options_screen.h"
 #include "game/screens/style.h"
@@ -13,7 +14,7 @@
 namespace game {
 namespace {
 
-enum Item { play, options, quit };
+enum Item { play, open_lab, options, quit };
 
 const Card card{
     .headline = words::game_title, .lines = {words::tagline}, .width = 340.0, .text_size = 28.0, .column = true};
@@ -21,7 +22,7 @@ const Card card{
 }  // namespace
 
 TitleScreen::TitleScreen(Session& session) : session_(&session) {
-  menu_.set_items({{words::play}, {words::options}, {words::quit}});
+  menu_.set_items({{words::play}, {words::open_lab}, {words::options}, {words::quit}});
   RunOptions shown;
   shown.replay = assets_folder() + "/replays/" + default_level + ".replay";
   try {
@@ -39,6 +40,7 @@ Next TitleScreen::update(const Frame& frame) {
   if (!choice) return Next::stay();
   switch (choice->item) {
     case play: return Next::open(std::make_unique<LevelScreen>(*session_));
+    case open_lab: return Next::open(std::make_unique<LabScreen>(*session_, ""));
     case options: return Next::open(std::make_unique<OptionsScreen>(*session_));
     case quit:
     default: return Next::quit();

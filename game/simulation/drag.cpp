@@ -96,19 +96,19 @@ Vec2 impulse_for(const b2Body& body, Vec2 arm, Vec2 change) {
 
 }  // namespace
 
-void Drag::apply(const engine::TickInput& input, engine::Scene& scene, std::span<b2Body* const> players, double dt) {
-  ribbon::box2d::Coupling& coupling = scene.coupling();
+void Drag::apply(const engine::TickInput& input, ribbon::box2d::Coupling& coupling,
+                 std::span<const engine::SceneBody> bodies, std::span<b2Body* const> players, double dt) {
   if (cord_point_ && !coupling.cord(cord_point_->cord).is_valid()) follow_piece(coupling);
   if ((input.buttons & button_drag) == 0) return release(coupling);
   const Vec2 pointer = engine::pointer(input);
-  if (!body_ && !cord_point_) pick(pointer, scene, players);
+  if (!body_ && !cord_point_) pick(pointer, coupling, bodies, players);
   if (body_) move_body(pointer, coupling, dt);
   if (cord_point_) move_cord_point(pointer, coupling, dt);
 }
 
-void Drag::pick(Vec2 pointer, engine::Scene& scene, std::span<b2Body* const> players) {
-  ribbon::box2d::Coupling& coupling = scene.coupling();
-  body_ = nearest_body(pointer, scene, players);
+void Drag::pick(Vec2 pointer, ribbon::box2d::Coupling& coupling, std::span<const engine::SceneBody> bodies,
+                std::span<b2Body* const> players) {
+  body_ = nearest_body(pointer, bodies, players);
   const auto nearest = coupling.nearest_point(pointer, cord_range);
   if (body_ && nearest && nearest->distance < body_->distance) body_.reset();
   if (body_) {
@@ -150,7 +150,7 @@ void Drag::release(ribbon::box2d::Coupling& coupling) {
   forget();
 }
 
-std::optional<Drag::Body> Drag::nearest_body(Vec2 pointer, const engine::Scene& scene,
+std::optional<Drag::Body> Drag::nearest_body(Vec2 pointer, std::span<const engine::SceneBody> bodies,
                                              std::span<b2Body* const> players) {
   std::optional<Body> nearest;
   int number = 0;
@@ -158,7 +158,7 @@ std::optional<Drag::Body> Drag::nearest_body(Vec2 pointer, const engine::Scene& 
     const Body found{&body, number++, is_ground ? body_range : distance_to(body, pointer)};
     if (!is_ground && found.distance <= (nearest ? nearest->distance : body_range)) nearest = found;
   };
-  for (const engine::SceneBody& made : scene.bodies()) consider(*made.body, made.kind == engine::BodyKind::ground);
+  for (const engine::SceneBody& made : bodies) consider(*made.body, made.kind == engine::BodyKind::ground);
   for (b2Body* player : players) consider(*player, false);
   return nearest;
 }

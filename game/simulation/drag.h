@@ -20,9 +20,10 @@ class Drag {
   static constexpr double max_pin_speed = 5.0;      ///< m/s, of pins and of static and kinematic bodies
   static constexpr double max_acceleration = 60.0;  ///< m/s², of dynamic bodies of any mass
 
-  /// Runs one tick of `dt` s, before that of the scene: picks the nearest object when button_drag goes down, releases
-  /// it when it goes up. `players`: bodies that are not in the scene's list.
-  void apply(const engine::TickInput& input, engine::Scene& scene, std::span<b2Body* const> players, double dt);
+  /// Runs one tick of `dt` s, before that of the coupling: picks the nearest object when button_drag goes down,
+  /// releases it when it goes up. `bodies`: those of the scene; `players`: others that can be dragged too.
+  void apply(const engine::TickInput& input, ribbon::box2d::Coupling& coupling,
+             std::span<const engine::SceneBody> bodies, std::span<b2Body* const> players, double dt);
   /// Drops all references, for a scene that no longer exists.
   void forget() { *this = {}; }
 
@@ -41,10 +42,11 @@ class Drag {
     b2Vec2 velocity{};                 // m/s, before the drag
   };
 
-  void pick(ribbon::Vec2 pointer, engine::Scene& scene, std::span<b2Body* const> players);
+  void pick(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, std::span<const engine::SceneBody> bodies,
+            std::span<b2Body* const> players);
   void release(ribbon::box2d::Coupling& coupling);
   void follow_piece(const ribbon::box2d::Coupling& coupling);
-  static std::optional<Body> nearest_body(ribbon::Vec2 pointer, const engine::Scene& scene,
+  static std::optional<Body> nearest_body(ribbon::Vec2 pointer, std::span<const engine::SceneBody> bodies,
                                           std::span<b2Body* const> players);
   void move_body(ribbon::Vec2 pointer, const ribbon::box2d::Coupling& coupling, double dt) const;
   void move_cord_point(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, double dt);

@@ -27,6 +27,7 @@ struct RunOptions {
   std::string record_bad_ticks{};          ///< folder; empty: none are recorded
   std::string ghost{};                     ///< path of a recording to race against; empty: the best run
   std::string table{};                     ///< folder of recordings to verify and list; empty: play
+  std::optional<std::string> lab{};        ///< a scene of the lab instead of a run; empty: its first one
   std::optional<std::int64_t> bad_work{};  ///< ticks with more work are bad too
 };
 
@@ -34,6 +35,10 @@ struct RunOptions {
 /// status: 0; for a verification 1 if it diverged and 2 if the replay was cut short. Throws engine::MapError,
 /// engine::ReplayError or std::runtime_error with a message for the user.
 int run_headless(const RunOptions& options);
+
+/// Runs a scene of the lab without a window, prints its figures and its hash, and returns 0. Throws std::runtime_error
+/// with a message for the user.
+int run_lab_headless(const RunOptions& options);
 
 /// Opens a window and plays, or shows the replay. Throws like run_headless.
 int run_in_window(const RunOptions& options);

@@ -64,7 +64,7 @@ void Simulation::skip(const engine::TickInput& input) {
   follow_lines();
   if (tether_) reel_tether(input);
   std::array<b2Body*, 2> bodies{&players_[0]->body(), players() == 2 ? &players_[1]->body() : nullptr};
-  drag_.apply(input, *scene_, std::span(bodies).first(at(players())), tick_dt);
+  drag_.apply(input, scene_->coupling(), scene_->bodies(), std::span(bodies).first(at(players())), tick_dt);
   if (!make_mover_) {
     for (std::size_t k = 0; k < at(players()); ++k) {
       rules_.act(k, goal_ticks_ ? 0U : pressed[k], *players_[k], *scene_);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/window/sdl_window.h"
 #include "game/program/app.h"
@@ -13,6 +14,7 @@
 
 EM_JS(void, tell_page, (const char* sentence), { Module.gameEnded(UTF8ToString(sentence)); });
 EM_JS(void, tell_first_frame, (), { Module.gameShown(); });
+EM_JS(void, tell_fingers, (bool as_mouse), { Module.gameFingers(as_mouse); });
 
 namespace {
 
@@ -20,6 +22,7 @@ struct Page {
   std::unique_ptr<game::App> app;
   std::int64_t shown_ns = 0;
   bool was_shown = false;
+  bool fingers_as_mouse = false;
 };
 
 /// Lives as long as the page, for main() returns before the first frame.
@@ -43,6 +46,8 @@ void run_frame() {
     here.shown_ns = now;
     if (!here.was_shown) tell_first_frame();
     here.was_shown = true;
+    const bool as_mouse = here.app->screens().top().takes_fingers_as_mouse();
+    if (std::exchange(here.fingers_as_mouse, as_mouse) != as_mouse) tell_fingers(as_mouse);
     if (goes_on) return;
     here.app->finish();
     end_game("");
@@ -52,11 +57,12 @@ void run_frame() {
   }
 }
 
-/// The page gives at most one pair: level NAME, or replay FILE.
+/// The page gives at most one pair: level NAME, lab SCENE, or replay FILE.
 game::RunOptions options_of(int argc, char** argv) {
   game::RunOptions options;
   if (argc < 3) return options;
   if (std::string_view(argv[1]) == "level") options.level = argv[2];
+  if (std::string_view(argv[1]) == "lab") options.lab = argv[2];
   if (std::string_view(argv[1]) == "replay") options.replay = argv[2];
   return options;
 }

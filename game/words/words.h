@@ -17,6 +17,7 @@ inline constexpr const char* game_title = "Rope swing";
 inline constexpr const char* window_title = "Rope swing - {screen}";
 inline constexpr const char* tagline = "Swing from rope to rope to the flag";
 inline constexpr const char* play = "Play";
+inline constexpr const char* open_lab = "Lab";
 inline constexpr const char* options = "Options";
 inline constexpr const char* quit = "Quit";
 inline constexpr const char* back = "Back";
@@ -42,6 +43,7 @@ inline constexpr const char* more = "›";
 
 // The names of screens in the title of the window
 inline constexpr const char* screen_title = "title";
+inline constexpr const char* screen_lab = "the lab: {scene}";
 inline constexpr const char* screen_levels = "levels";
 inline constexpr const char* screen_options = "options";
 inline constexpr const char* screen_keys = "keys and buttons";

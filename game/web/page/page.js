@@ -118,8 +118,8 @@ const takePictures = () => {
 
 // What the link asks for, as arguments of the game; recordings become a file.
 const wanted = async () => {
-  const [, name, value] = location.hash.match(/^#(level|replay|opened)(?:=(.*))?$/) ?? [];
-  if (name === 'level') return {arguments: ['level', decodeURIComponent(value ?? '')]};
+  const [, name, value] = location.hash.match(/^#(level|lab|replay|opened)(?:=(.*))?$/) ?? [];
+  if (name === 'level' || name === 'lab') return {arguments: [name, decodeURIComponent(value ?? '')]};
   if (name === 'replay') return {arguments: ['replay', '/link.replay'], file: await Recording.fromLink(value ?? '')};
   const opened = name === 'opened' && sessionStorage.getItem('opened');
   if (!opened) return {arguments: []};
@@ -140,6 +140,10 @@ var Module = {
     startBar();
     setInterval(() => { store(); takePictures(); }, 2000);
     at('canvas').focus();
+  },
+  // In the lab a finger is a mouse everywhere: there are no buttons to run and to jump.
+  gameFingers(asMouse) {
+    at('touch').classList.toggle('plain', asMouse);
   },
   onAbort(reason) {
     say('The game has stopped: ' + reason, fromTitle);

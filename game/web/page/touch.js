@@ -1,5 +1,6 @@
 // Touch as keys and mouse. The left half is a stick: run, swing and climb. On the right are buttons to jump and to catch;
-// a touch anywhere else is a click there, which throws a line in a level and chooses in a menu.
+// a touch anywhere else is a click there, which throws a line in a level and chooses in a menu. Where the layer is plain,
+// as in the lab, a finger is a mouse everywhere.
 'use strict';
 
 const startTouch = (layer, canvas) => {
@@ -45,7 +46,7 @@ const startTouch = (layer, canvas) => {
       touches.set(touch.identifier, {code: pads.get(touch.target)});
       return setKey(pads.get(touch.target), true);
     }
-    const left = touch.clientX < innerWidth / 2;
+    const left = !layer.classList.contains('plain') && touch.clientX < innerWidth / 2;
     touches.set(touch.identifier, {x: touch.clientX, y: touch.clientY, left, moved: false});
     click('mousemove', touch);
     if (!left) click('mousedown', touch);

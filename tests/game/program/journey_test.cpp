@@ -249,6 +249,7 @@ TEST_F(Journey, AWindowThatLosesTheFocusPausesAndReleasesAllButtons) {
 TEST_F(Journey, AReboundKeyIsSavedAndWorks) {
   open();
   tap(Key::down);
+  tap(Key::down);
   tap(Key::enter);
   ASSERT_EQ(screen(), "options");
   tap(Key::enter);
@@ -297,9 +298,9 @@ TEST_F(Journey, EveryPressOfAFrameCountsInOrder) {
       test_support::push_key(key, false);
     }
   };
-  press({Key::down, Key::enter});
+  press({Key::down, Key::down, Key::enter});
   frame();
-  EXPECT_EQ(screen(), "options") << "the second line of the title";
+  EXPECT_EQ(screen(), "options") << "the third line of the title";
   press({Key::up, Key::enter});
   frame();
   EXPECT_EQ(screen(), "title") << "the last line of the options";

@@ -208,4 +208,26 @@ TEST(Program, WritesAPictureOfTheLastMoment) {
   EXPECT_NE(ended.output.find(path), std::string::npos);
 }
 
+TEST(LabProgram, RunsASceneWithoutAWindowWithTheSameBits) {
+  const std::string picture = scratch("lab.png");
+  const Ended once = ropeswing("--headless --lab bridge --ticks 60 --screenshot " + picture);
+  EXPECT_EQ(once.status, 0) << once.output;
+  EXPECT_NE(once.output.find("chains: stretched by "), std::string::npos) << once.output;
+  EXPECT_EQ(last_line(once.output).rfind("ran 60 ticks, hash ", 0), 0U) << once.output;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+  EXPECT_EQ(last_line(ropeswing("--headless --lab bridge --ticks 60").output), last_line(once.output));
+  EXPECT_EQ(ropeswing("--headless --lab --ticks 1").status, 0) << "the first scene";
+}
+
+TEST(LabProgram, RefusesAnUnknownSceneWithTheNamesOfAll) {
+  for (const char* how : {"--headless --ticks 1 --lab nonsense", "--lab nonsense"}) {
+    const Ended ended = ropeswing(how);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.output.find("no scene 'nonsense'; accepted are heavy_load, capstan, "), std::string::npos)
+        << ended.output;
+  }
+  EXPECT_EQ(ropeswing("--headless --lab bridge").status, 2) << "it does not say how far";
+  EXPECT_EQ(ropeswing("--lab bridge --level first_swing").status, 2);
+}
+
 }  // namespace

@@ -1,0 +1,66 @@
+#include <limits>
+
+#include "game/lab/scene_list.h"
+
+namespace game::lab {
+namespace {
+
+using ribbon::Vec2;
+
+constexpr double cord_length = 4.2;   // m
+constexpr double span = 4.0;          // m
+constexpr double cord_mass = 0.42;    // kg
+constexpr double ball_radius = 0.25;  // m
+constexpr int points = 41;
+constexpr double between = 5.0;  // m, from one bridge to the other
+
+void build(Bench& bench, const KnobValues& values, Vec2 origin) {
+  ribbon::CordDef def;
+  def.points = points;
+  def.length = cord_length;
+  def.radius = 0.02;
+  def.mass_per_length = cord_mass / cord_length;
+  def.stretch_stiffness = values[Knob::stretch];
+  def.friction = values[Knob::friction];
+  def.pins = {0, points - 1};
+  def.positions = sagging(points, cord_length, origin - Vec2{0.5 * (span + between), 0.0}, span);
+  def.accuracy = accuracy_of(values);
+  bench.add(def);
+  bench.add(Disc{.at = def.positions[points / 2] + Vec2{0.0, ball_radius + 0.4},
+                 .radius = ball_radius,
+                 .mass = cord_mass * values[Knob::load_ratio],
+                 .friction = def.friction});
+}
+
+void tune(Bench& bench, const KnobValues& values) {
+  bench.set_mass(*bench.bodies().back().body, cord_mass * values[Knob::load_ratio]);
+}
+
+std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
+  return {{Reading::Kind::excess, excess_length(bench)}};
+}
+
+}  // namespace
+
+Scene bridge() {
+  using Scale = KnobRange::Scale;
+  return {.name = "bridge",
+          .low = {-4.8, -3.2},
+          .high = {4.8, 1.0},
+          .knobs = together({{Knob::load_ratio, 0.01, 1e4, 30.0, Scale::logarithmic},
+                             {.knob = Knob::stretch,
+                              .min = 100.0,
+                              .max = 1e8,
+                              .initial = std::numeric_limits<double>::infinity(),
+                              .scale = Scale::logarithmic,
+                              .max_is_infinite = true},
+                             {Knob::friction, 0.0, 2.0, 0.5},
+                             {Knob::chain_substeps, 1.0, 64.0, 4.0, Scale::whole}},
+                            accuracy_knobs(1)),
+          .chains_at = Vec2{between, 0.0},
+          .build = build,
+          .tune = tune,
+          .readings = readings};
+}
+
+}  // namespace game::lab
