@@ -48,12 +48,12 @@ module.exports = {
   },
   async 'a damaged link or recording gets a sentence of the game'(visit, browser) {
     await visit.refusal('#level=nowhere', 'nowhere');
-    await visit.refusal('#replay=nonsense', 'not a replay');
+    await visit.refusal('#replay=nonsense', 'the link: byte 0: not a replay');
     const damaged = recorded(visit.root, 'first_swing');
     damaged[damaged.length >> 1] ^= 1;
     await visit.open();
     await browser.value(`sessionStorage.setItem("opened", "${damaged.toString('base64')}")`);
-    await visit.refusal('#opened', 'damaged');
+    await visit.refusal('#opened', 'the recording: byte ');
   },
   async 'without WebAssembly it says so'(visit, browser) {
     const undo = await browser.before('delete window.WebAssembly');

@@ -116,14 +116,15 @@ const takePictures = () => {
   }
 };
 
-// What the link asks for, as arguments of the game; recordings become a file.
+// What the link asks for, as arguments of the game; recordings become a file, whose name is in the game's sentences.
+const replayOf = (name, bytes) => ({arguments: ['replay', name], file: {name, bytes}});
 const wanted = async () => {
   const [, name, value] = location.hash.match(/^#(level|lab|replay|opened)(?:=(.*))?$/) ?? [];
   if (name === 'level' || name === 'lab') return {arguments: [name, decodeURIComponent(value ?? '')]};
-  if (name === 'replay') return {arguments: ['replay', '/link.replay'], file: await Recording.fromLink(value ?? '')};
+  if (name === 'replay') return replayOf('the link', await Recording.fromLink(value ?? ''));
   const opened = name === 'opened' && sessionStorage.getItem('opened');
   if (!opened) return {arguments: []};
-  return {arguments: ['replay', '/link.replay'], file: Uint8Array.from(atob(opened), c => c.charCodeAt(0))};
+  return replayOf('the recording', Uint8Array.from(atob(opened), c => c.charCodeAt(0)));
 };
 
 const mixerContext = () => Module.SDL2?.audioContext;
@@ -183,7 +184,7 @@ const start = async () => {
   stores = await canStore();
   const asked = await wanted();
   Module.arguments = asked.arguments;
-  Module.preRun = [openStorage, () => { if (asked.file) Module.FS.writeFile('/link.replay', asked.file); }];
+  Module.preRun = [openStorage, () => { if (asked.file) Module.FS.writeFile(asked.file.name, asked.file.bytes); }];
   watchBrowser();
   const script = document.createElement('script');
   script.src = 'game.js';
