@@ -129,7 +129,7 @@ TEST_P(ConsoleAt, ThePointerIsWhereTheViewShowsIt) {
 }
 
 TEST(LabPlot, RangesHaveAllFiniteNumbers) {
-  const std::vector<double> numbers = {3.0, -1.0, std::nan(""), 2.0};
+  const std::vector<double> numbers = {std::nan(""), 3.0, -1.0, std::nan(""), 2.0};
   const PlotRange range = range_around(numbers, 1.0);
   EXPECT_EQ(range.low, -1.0);
   EXPECT_EQ(range.high, 3.0);
