@@ -20,6 +20,7 @@ module.exports = {
     await visit.open('#lab=heavy_load');
     await visit.title('Heavy load');
     await wait(1500);
+    assert.strictEqual(await browser.value('getComputedStyle(document.getElementById("bar")).display'), 'none');
     const before = await visit.picture('lab_heavy_load');
     await drag(browser, bar(0, 0.33), bar(0, 1));
     await browser.mouse('mouseReleased', ...bar(0, 1));

@@ -142,9 +142,10 @@ var Module = {
     setInterval(() => { store(); takePictures(); }, 2000);
     at('canvas').focus();
   },
-  // In the lab a finger is a mouse everywhere: there are no buttons to run and to jump.
+  // In the lab a finger is a mouse everywhere: there are no buttons to run and to jump, and no recording to share.
   gameFingers(asMouse) {
     at('touch').classList.toggle('plain', asMouse);
+    at('bar').classList.toggle('plain', asMouse);
   },
   onAbort(reason) {
     say('The game has stopped: ' + reason, fromTitle);
