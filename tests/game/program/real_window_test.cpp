@@ -135,6 +135,11 @@ class RealWindow : public testing::Test {
 TEST_F(RealWindow, KeysAndMouseGoThroughEveryScreenAndTheGameEndsCleanly) {
   person->does("key Down");
   person->does("key Return");
+  ASSERT_EQ(person->sees("the lab: Heavy load"), "the lab: Heavy load");
+  person->does("key Escape");
+  ASSERT_EQ(person->sees("title"), "title");
+  person->does("key Down");
+  person->does("key Return");
   ASSERT_EQ(person->sees("options"), "options");
   person->does("key Return");
   ASSERT_EQ(person->sees("keys and buttons"), "keys and buttons");
