@@ -12,6 +12,7 @@ inline constexpr double max_reference_difference = 1e-4;
 /// Where the motion is too sensitive, no setting is judged. Two runs with a moderate setting whose velocities differ by
 /// twice probe_kick [m/s], about a millimetre in a quarter of a second, must not differ by max_probe_difference [m].
 inline constexpr double probe_kick = 2e-3;
+/// m, see probe_kick.
 inline constexpr double max_probe_difference = 1e-2;
 
 /// Errors below that many times the difference of the converged runs are unknown.

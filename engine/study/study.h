@@ -16,7 +16,7 @@ namespace ribbon::study {
 
 /// A run of a scene, before its first tick.
 struct Scene {
-  b2World& world;
+  b2World& world;             ///< in which the cords are
   box2d::Coupling& coupling;  ///< of the cords in this world
   /// Plays tick 0, 1, 2 … with the same input in every run. It owns what the references refer to.
   std::function<void(int tick)> tick;
@@ -27,7 +27,7 @@ using MakeScene = std::function<Scene()>;
 
 /// A setting of all cords of the direct solver.
 struct Setting {
-  std::string name;
+  std::string name;                    ///< in tables
   std::optional<Accuracy> accuracy{};  ///< none: each cord's own
 };
 
@@ -36,14 +36,14 @@ std::vector<Setting> settings();
 
 /// What is measured.
 struct Options {
-  std::vector<Setting> settings = study::settings();
+  std::vector<Setting> settings = study::settings();  ///< that are compared
   int windows = 4;  ///< number of quarters of a second that are compared too, see measure(), 0 … 1000
   int repeats = 5;  ///< number of timed runs of each setting, 1 … 1000
 };
 
 /// The results of a setting.
 struct Measured {
-  Setting setting;
+  Setting setting;  ///< that was measured
   /// m, the larger of the RMS errors of the cords' points and of the dynamic bodies, from the start and in windows.
   /// Smaller errors than ten times the difference of two converged runs are set to that.
   double error_m = 0.0;
@@ -56,12 +56,12 @@ struct Measured {
 
 /// The results of a scene.
 struct Study {
-  int ticks = 0;
-  int compared_ticks = 0;      ///< from the start on; after these the motion is too sensitive
-  double compared_cords = 0;   ///< share of the windows' ticks in which cords are compared
-  double compared_bodies = 0;  ///< share of the windows' ticks in which bodies are compared
-  double agreement_m = 0.0;    ///< largest RMS difference of two converged runs in the compared ticks
-  std::vector<Measured> settings;
+  int ticks = 0;                   ///< number that was played
+  int compared_ticks = 0;          ///< from the start on; after these the motion is too sensitive
+  double compared_cords = 0;       ///< share of the windows' ticks in which cords are compared
+  double compared_bodies = 0;      ///< share of the windows' ticks in which bodies are compared
+  double agreement_m = 0.0;        ///< largest RMS difference of two converged runs in the compared ticks
+  std::vector<Measured> settings;  ///< in the order of Options::settings
 
   /// Returns the settings for which no other one has both less work and a smaller error, by increasing work.
   std::vector<std::size_t> front() const;

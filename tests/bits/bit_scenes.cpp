@@ -533,7 +533,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"ties", build_ties, drive_ties, 120, 0xc8f79ca6b7554f30},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
     {"listener", build_listener, nullptr, 180, 0x175560bdcdb73aef},
-    {"pulleys", build_pulleys, drive_pulleys, 120, 0x023c45e36411764f},
+    {"pulleys", build_pulleys, drive_pulleys, 120, 0x717ed5c667e562b0},
     {"wind", build_wind, drive_wind, 150, 0xf09d88afaacb4248},
 }};
 
