@@ -20,7 +20,8 @@ constexpr double units = 255.0 * (1 << unit_bits);
 constexpr double max_units = 1 << 30;
 
 std::uint8_t byte_of(double cover) {
-  return static_cast<std::uint8_t>(std::clamp(cover, 0.0, 1.0) * 255.0 + 0.5);  // lround would be a call
+  const double above = std::clamp(cover, 0.0, 1.0) * 255.0 + 0.5;  // lround would be a call
+  return static_cast<std::uint8_t>(above);
 }
 
 using Row = std::span<std::uint8_t>;

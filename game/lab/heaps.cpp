@@ -71,7 +71,8 @@ void build_strips(Bench& bench, const KnobValues& values, Vec2) {
       bench.add(Disc{.type = b2_staticBody, .at = {x, -0.8 * row}, .radius = 0.09, .friction = values[Knob::friction]});
   }
   for (int k = 0; k < values.whole(Knob::count); ++k) {
-    const Vec2 corner{cell * (k % columns) + 0.1 + 0.08 * (k * 7 % 11), 0.3 + 0.35 * (k / columns)};
+    const int row = k / columns;
+    const Vec2 corner{cell * (k % columns) + 0.1 + 0.08 * (k * 7 % 11), 0.3 + 0.35 * row};
     ribbon::CordDef def = level_ribbon(21, 0.05, 0.05, corner);
     def.mass_per_length = 0.0825;
     finish(def, values);

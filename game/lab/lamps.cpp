@@ -13,7 +13,8 @@ constexpr double lamp_mass = 0.5;     // kg
 constexpr int points = 6;
 
 void add_lamp(Bench& bench, const KnobValues& values, int number) {
-  const Vec2 hook{cell.x * (number % columns), -cell.y * (number / columns)};
+  const int row = number / columns;
+  const Vec2 hook{cell.x * (number % columns), -cell.y * row};
   ribbon::CordDef def;
   def.points = points;
   def.length = cord_length;
