@@ -123,7 +123,7 @@ TEST_F(LevelStudy, ACordHasItsOwnSettingInTheLevelAndInTheFile) {
   check(LevelFile(level_path).level());
 }
 
-/// In windows, and with another player: the rope that nobody holds may be fast, and the error is that of the other one.
+/// In windows, and with another player: a rope that is not held may be fast, and the error is that of the other one.
 TEST_F(LevelStudy, SettingsByCordAreMeasured) {
   StudyOptions options = this->options();
   options.folder.clear();

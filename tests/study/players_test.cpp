@@ -64,10 +64,10 @@ TEST(Players, MeetWhatTheyHoldAndTouch) {
   const Meetings winner = meetings_of(level, recorded("first_swing", 10000));
   EXPECT_TRUE(winner.any_cord);
   EXPECT_GT(winner.held.size(), 1U);
-  const Meetings nobody = meetings_of(level, Inputs(10));
-  EXPECT_TRUE(nobody.any_cord);
-  EXPECT_TRUE(nobody.held.empty());
-  EXPECT_TRUE(nobody.touched.empty());
+  const Meetings idle = meetings_of(level, Inputs(10));
+  EXPECT_TRUE(idle.any_cord);
+  EXPECT_TRUE(idle.held.empty());
+  EXPECT_TRUE(idle.touched.empty());
 }
 
 /// Nobody throws a line: there is nothing to judge by.
