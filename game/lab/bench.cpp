@@ -80,7 +80,10 @@ void Bench::add_edges(std::span<const Vec2> corners, double friction) {
 }
 
 void Bench::hold(int rope, int point, b2Body& body) {
-  if (method_ == Method::chains) return chains_[static_cast<std::size_t>(rope)].hold(point, body);
+  if (method_ == Method::chains) {
+    chains_[static_cast<std::size_t>(rope)].hold(point, body);
+    return;
+  }
   const Vec2 place = coupling_.cord(rope).positions()[static_cast<std::size_t>(point)];
   coupling_.hold(rope, point, body, body.GetLocalPoint(to_float(place)));
 }

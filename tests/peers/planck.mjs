@@ -15,7 +15,7 @@ export async function make(plan, parameters) {
     });
     const add = (shape, filter = {}) => body.createFixture({ shape, friction: from.friction, density: 1, ...filter });
     if (from.halfLength > 0) {
-      // As in tests/support/joint_chain.h: half the thickness is the box's, half its skin's.
+      // As in game/lab/joint_chain.h: half the thickness is the box's, half its skin's.
       const box = new planck.BoxShape(from.halfLength, 0.5 * from.radius);
       box.m_radius = 0.5 * from.radius;
       add(box, { filterCategoryBits: linkCategory, filterMaskBits: 0xffff & ~linkCategory });

@@ -6,18 +6,18 @@
 #include <optional>
 #include <vector>
 
+#include "game/lab/joint_chain.h"
 #include "game/simulation/buttons.h"
 #include "ribbon/box2d/convert.h"
-#include "tests/support/joint_chain.h"
 
 namespace study {
 namespace {
 
+using game::lab::JointChain;
 using ribbon::Vec2;
 using ribbon::box2d::Coupling;
 using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
-using test_support::JointChain;
 
 constexpr double lost = 1e9;  // m, the drawn position of a NaN point
 
@@ -32,6 +32,19 @@ b2Filter filter_of(const ribbon::CordDef& def, int cord) {
   if (!def.cord_contact) filter.maskBits &= static_cast<std::uint16_t>(~meets_cords);
   filter.groupIndex = static_cast<std::int16_t>(def.self_contact ? cord + 1 : -(cord + 1));
   return filter;
+}
+
+/// A class derived from the joint, which has access to its protected members.
+template <typename Joint>
+struct Opened : Joint {
+  static b2Vec2& first_anchor(Joint& joint) { return joint.*(&Opened::m_localAnchorA); }
+};
+
+/// Moves the local anchor of a joint on its body A. Box2D has no function for that, and a new joint would lose the
+/// impulses with which it starts the next step.
+template <typename Joint>
+void move_first_anchor(Joint& joint, b2Vec2 local) {
+  Opened<Joint>::first_anchor(joint) = local;
 }
 
 class ChainMover {
@@ -121,8 +134,8 @@ class ChainMover {
 
   void move_hand(Vec2 local) {
     if (hand_ == nullptr) return;
-    test_support::move_first_anchor(*hand_, to_float(local));
-    for (b2DistanceJoint* limit : limits_) test_support::move_first_anchor(*limit, to_float(local));
+    move_first_anchor(*hand_, to_float(local));
+    for (b2DistanceJoint* limit : limits_) move_first_anchor(*limit, to_float(local));
   }
 
   engine::Scene* scene_;

@@ -10,7 +10,7 @@
 
 namespace study {
 
-/// Moves a level's cords as chains of Box2D's joints (tests/support/joint_chain.h), with as many world steps per tick
+/// Moves a level's cords as chains of Box2D's joints (game/lab/joint_chain.h), with as many world steps per tick
 /// as the setting has substeps. The scene's own cords are not stepped: they get the positions of the chains, so that
 /// the player can hold them, and figures and pictures show the chains. A grip at a point is a revolute joint;
 /// box2d_max_distance adds a joint that limits the distance of the hand from each pin of the cord to the length of the

@@ -11,6 +11,7 @@
 namespace test_support {
 namespace {
 
+using game::lab::JointChain;
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "game/lab/joint_chain.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/cord.h"
-#include "tests/support/joint_chain.h"
 
 namespace test_support {
 
@@ -86,7 +86,7 @@ class CoupledWorld {
 
  private:
   struct Chain {
-    JointChain boxes;
+    game::lab::JointChain boxes;
     b2Joint* first = nullptr;  // holds its first point
     b2Joint* last = nullptr;
   };
