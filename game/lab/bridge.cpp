@@ -1,5 +1,3 @@
-#include <limits>
-
 #include "game/lab/scene_list.h"
 
 namespace game::lab {
@@ -36,10 +34,6 @@ void tune(Bench& bench, const KnobValues& values) {
   bench.set_mass(*bench.bodies().back().body, cord_mass * values[Knob::load_ratio]);
 }
 
-std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
-  return {{Reading::Kind::excess, excess_length(bench)}};
-}
-
 }  // namespace
 
 Scene bridge() {
@@ -48,19 +42,14 @@ Scene bridge() {
           .low = {-4.8, -3.2},
           .high = {4.8, 1.0},
           .knobs = together({{Knob::load_ratio, 0.01, 1e4, 30.0, Scale::logarithmic},
-                             {.knob = Knob::stretch,
-                              .min = 100.0,
-                              .max = 1e8,
-                              .initial = std::numeric_limits<double>::infinity(),
-                              .scale = Scale::logarithmic,
-                              .max_is_infinite = true},
+                             stretch_knob(100.0, 1e8),
                              {Knob::friction, 0.0, 2.0, 0.5},
                              {Knob::chain_substeps, 1.0, 64.0, 4.0, Scale::whole}},
                             accuracy_knobs(1)),
           .chains_at = Vec2{between, 0.0},
           .build = build,
           .tune = tune,
-          .readings = readings};
+          .readings = [](const Bench& bench, const KnobValues&) { return excess_reading(bench); }};
 }
 
 }  // namespace game::lab

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "game/lab/scene_list.h"
@@ -80,12 +79,7 @@ Scene buckling() {
           .high = {4.3, 2.6},
           .knobs = together({{Knob::load_share, 0.0, 2.0, 1.0},
                              {Knob::bending, 0.1, 100.0, 1.0, Scale::logarithmic},
-                             {.knob = Knob::stretch,
-                              .min = 1e3,
-                              .max = 1e8,
-                              .initial = std::numeric_limits<double>::infinity(),
-                              .scale = Scale::logarithmic,
-                              .max_is_infinite = true},
+                             stretch_knob(1e3, 1e8),
                              {Knob::air_drag, 0.0, 5.0, 1.0}},
                             accuracy_knobs(1)),
           .gravity = {},

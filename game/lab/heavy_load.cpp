@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "game/lab/scene_list.h"
@@ -38,32 +37,22 @@ void tune(Bench& bench, const KnobValues& values) {
   bench.set_mass(*bench.bodies().back().body, cord_mass * values[Knob::load_ratio]);
 }
 
-std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
-  return {{Reading::Kind::excess, excess_length(bench)}};
-}
-
 }  // namespace
 
 Scene heavy_load() {
   using Scale = KnobRange::Scale;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   return {.name = "heavy_load",
           .low = {-6.7, -7.2},
           .high = {6.7, 0.9},
           .knobs = together({{Knob::load_ratio, 1.0, 1e6, 100.0, Scale::logarithmic},
                              {.knob = Knob::start_angle, .min = 0.0, .max = 90.0, .initial = 60.0, .rebuilds = true},
-                             {.knob = Knob::stretch,
-                              .min = 1e3,
-                              .max = 1e10,
-                              .initial = infinity,
-                              .scale = Scale::logarithmic,
-                              .max_is_infinite = true},
+                             stretch_knob(1e3, 1e10),
                              {Knob::chain_substeps, 1.0, 64.0, 16.0, Scale::whole}},
                             accuracy_knobs(1)),
           .chains_at = Vec2{-2.0 * place.x, 0.0},
           .build = build,
           .tune = tune,
-          .readings = readings};
+          .readings = [](const Bench& bench, const KnobValues&) { return excess_reading(bench); }};
 }
 
 }  // namespace game::lab

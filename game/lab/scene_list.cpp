@@ -1,6 +1,7 @@
 #include "game/lab/scene_list.h"
 
 #include <cmath>
+#include <limits>
 
 #include "game/lab/figures.h"
 
@@ -16,6 +17,15 @@ std::vector<KnobRange> accuracy_knobs(int preset) {
   return {{Knob::preset, 0.0, 2.0, 1.0 * preset, Scale::choice},
           {Knob::substeps, 1.0, 16.0, values[Knob::substeps], Scale::whole},
           {Knob::tolerance, 1e-8, 0.1, values[Knob::tolerance], Scale::logarithmic}};
+}
+
+KnobRange stretch_knob(double min, double max) {
+  return {.knob = Knob::stretch,
+          .min = min,
+          .max = max,
+          .initial = std::numeric_limits<double>::infinity(),
+          .scale = KnobRange::Scale::logarithmic,
+          .max_is_infinite = true};
 }
 
 std::vector<KnobRange> together(std::vector<KnobRange> a, const std::vector<KnobRange>& b) {
@@ -60,6 +70,8 @@ double excess_length(const Bench& bench) {
   }
   return length_now(cord) - def.length - elastic;
 }
+
+std::vector<Reading> excess_reading(const Bench& bench) { return {{Reading::Kind::excess, excess_length(bench)}}; }
 
 int unconverged(const Bench& bench) {
   int sum = 0;

@@ -32,6 +32,8 @@ Scene thesis_d();
 
 /// Returns the knobs preset, substeps and tolerance, with the values of a preset: 0 … 2.
 std::vector<KnobRange> accuracy_knobs(int preset);
+/// Returns the knob of EA from `min` to `max`, N; the greatest value means an inextensible cord, the initial one.
+KnobRange stretch_knob(double min, double max);
 /// Returns both lists, one after the other.
 std::vector<KnobRange> together(std::vector<KnobRange> a, const std::vector<KnobRange>& b);
 
@@ -43,6 +45,8 @@ std::vector<ribbon::Vec2> sagging(int points, double length, ribbon::Vec2 start,
 
 /// Returns by how much a bench's cord or chain is longer than its tensions make it, m.
 double excess_length(const Bench& bench);
+/// Returns the excess length as what a scene shows.
+std::vector<Reading> excess_reading(const Bench& bench);
 /// Returns the number of substeps that did not converge since the start, of all cords of the direct solver.
 int unconverged(const Bench& bench);
 /// Returns the number of contacts of all cords in the last tick.

@@ -26,7 +26,7 @@ inline constexpr SceneWords scenes[] = {
      "Clamped columns, each under a load. Those above the exact critical load bend away, those below stay straight."},
     {"bridge", "Bridge", "A ball drops on a cord between two pins, and on Box2D's chain of the same links."},
     {"lamps", "A thousand lamps",
-     "Each hangs on a rope of its own. What has come to rest falls asleep and costs nothing until you touch it."},
+     "Each hangs on a rope of its own. What has come to rest falls asleep and costs little until you touch it."},
     {"thesis_a", "Thesis, A", "Goto 2017, condition A: 25 × 2 points, 8 iterations, with self-collision."},
     {"thesis_b", "Thesis, B", "Goto 2017, condition B: 10 × 5 points, 8 iterations, with self-collision."},
     {"thesis_c", "Thesis, C", "Goto 2017, condition C: 35 × 2 points, 8 iterations, with self-collision."},

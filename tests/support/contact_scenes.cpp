@@ -2,37 +2,19 @@
 
 #include <cmath>
 
+#include "game/lab/scene_list.h"
 #include "tests/support/dice.h"
 
 namespace test_support {
 namespace {
 
+using game::lab::sagging;
 using ribbon::CordDef;
 using ribbon::Vec2;
 
 constexpr double pi = std::numbers::pi;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// Returns links of equal length that sag evenly between `a` and a point at the same height at the distance `span`.
-std::vector<Vec2> sagging(int points, double length, Vec2 a, double span) {
-  const double link = length / (points - 1);
-  const auto arc = [&](double half_angle) {
-    std::vector<Vec2> line = {a};
-    for (int k = 0; k + 1 < points; ++k) {
-      const double angle = half_angle * ((2.0 * k + 1.0) / (points - 1) - 1.0);
-      line.push_back(line.back() + link * Vec2{std::cos(angle), std::sin(angle)});
-    }
-    return line;
-  };
-  double low = 0.0;
-  double high = 1.5;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (low + high);
-    (arc(middle).back().x - a.x > span ? low : high) = middle;
-  }
-  return arc(high);
-}
 
 /// Returns two rows of a ribbon, at half of `width` to both sides of a line: the second one to its left.
 std::vector<Vec2> two_rows(const std::vector<Vec2>& line, double width) {
