@@ -13,6 +13,7 @@ namespace {
 constexpr double deep_share = 0.01;
 constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
 constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
+constexpr double negligible_way = 1e-3;  // of a direction's length: less is that of a straight rope, or rounding
 
 /// m, where an anchor is at the start of the step.
 Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anchor) {
@@ -43,6 +44,38 @@ void limit_penetration(const IslandState& state, double distance, double size, C
   }
 }
 
+/// Returns the sum of the directions from a point to its neighbours in its cord; zero within a straight rope.
+Vec2 toward_neighbours(const IslandState& state, int slot) {
+  const auto p = at(slot);
+  const Member& member = *std::find_if(state.members.begin(), state.members.end(),
+                                       [p](const Member& candidate) { return candidate.has_point(p); });
+  const auto rows = static_cast<std::size_t>(member.cord->def.rows);
+  const std::size_t i = p - member.first_point;
+  Vec2 sum;
+  const auto add = [&](std::size_t neighbour) {
+    const Vec2 way = state.positions[neighbour] - state.positions[p];
+    if (const double size = length(way); size > 0.0) sum += (1.0 / size) * way;
+  };
+  if (i >= rows) add(p - rows);
+  if (i + rows < member.points) add(p + rows);
+  if (i % rows > 0) add(p - 1);
+  if (i % rows + 1 < rows) add(p + 1);
+  return sum;
+}
+
+/// Returns the direction in which a point leaves a link of a cord that it coincides with, as where a tie has ended: to
+/// the side on which its own cord is, away from where the other one is. Returns zero if both are on both sides.
+Vec2 parting_direction(const IslandState& state, const ContactPair& pair, const Separation& gap) {
+  Vec2 way = toward_neighbours(state, pair.disc);
+  if (!gap.is_interior()) {
+    way -= toward_neighbours(state, gap.along == 0.0 ? pair.a : pair.b);
+  } else {
+    way = dot(way, perp(gap.tangent)) * perp(gap.tangent);
+  }
+  const double size = length(way);
+  return size > negligible_way ? (1.0 / size) * way : Vec2{};
+}
+
 }  // namespace
 
 int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
@@ -70,11 +103,14 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
   pair.friction = std::sqrt(def.friction * friction);
   pair.restitution = std::max(def.restitution, restitution);
   restore_touch(member, pair);
-  const double distance =
+  const Separation gap =
       find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
-                      anchor_position(state, contacts, pair.b))
-          .distance;
-  limit_penetration(state, distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]), pair);
+                      anchor_position(state, contacts, pair.b));
+  if (pair.is_mutual && gap.distance <= ContactPair::coincident_share * pair.contact_distance) {
+    pair.parting = parting_direction(state, pair, gap);
+  }
+  limit_penetration(state, gap.distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
+                    pair);
   contacts.scene.add(pair);
 }
 

@@ -48,7 +48,7 @@ void ActiveContacts::find(ContactScene& scene, std::span<const Vec2> x, std::spa
     const Vec2 a = at(pair.a);
     const Vec2 b = at(pair.b);
     if (!may_be_within(distance, disc, a, b)) continue;
-    const Separation gap = find_separation(disc, a, b);
+    const Separation gap = separation_of(scene.pairs[k], disc, a, b);
     if (!(gap.distance < distance) || !is_local_minimum(scene.pairs[k], gap, positions_)) continue;
     active_.push_back({k, gap});
     is_active_[k] = 1;

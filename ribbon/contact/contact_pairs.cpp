@@ -32,6 +32,14 @@ double ContactPairs::min_contact_distance() const {
   return geometries_.empty() ? 0.0 : least;
 }
 
+Separation separation_of(const ContactPair& pair, Vec2 o, Vec2 a, Vec2 b) {
+  Separation gap = find_separation(o, a, b);
+  if (pair.parting != Vec2{} && gap.distance <= ContactPair::coincident_share * pair.contact_distance) {
+    gap.normal = pair.parting;
+  }
+  return gap;
+}
+
 bool is_local_minimum(const ContactPair& pair, const Separation& gap, std::span<const Vec2> positions) {
   if (gap.is_interior()) return true;
   const int vertex = gap.along == 0.0 ? pair.a : pair.b;

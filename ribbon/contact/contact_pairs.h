@@ -13,6 +13,8 @@ namespace ribbon {
 struct ContactPair {
   /// Stiffness of friction as a fraction of that of the contact.
   static constexpr double friction_stiffness_ratio = 0.1;
+  /// Share of the contact distance; nearer, disc and segment coincide: neither is at a side of the other.
+  static constexpr double coincident_share = 1e-6;
 
   int disc = 0;
   int a = 0;
@@ -28,6 +30,7 @@ struct ContactPair {
   double friction = 0.0;             ///< μ
   double restitution = 0.0;          ///< e
   double tangent_speed = 0.0;        ///< m/s, of the other surface; see RigidCircle
+  Vec2 parting;                      ///< unit vector in which the disc leaves a segment that it coincides with, or zero
   std::size_t cord = 0;              ///< index of the cord that stores the contact
   Touch touch;                       ///< the contact as it is stored from step to step
 
@@ -86,6 +89,9 @@ void assign_by_pair(std::vector<T>& values, const ContactPairs& pairs, T value) 
   values.assign(pairs.size(), value);
 }
 
+/// Returns the separation of the pair's disc at o from its segment from a to b, m. If they coincide and the pair has a
+/// direction in which they part, it is the normal.
+Separation separation_of(const ContactPair& pair, Vec2 o, Vec2 a, Vec2 b);
 /// Returns whether the distance has a local minimum at this pair of the polyline that the segment belongs to. At a
 /// vertex only one pair is the minimum: that of the segment before it. `positions` are those of the anchors, m.
 bool is_local_minimum(const ContactPair& pair, const Separation& gap, std::span<const Vec2> positions);

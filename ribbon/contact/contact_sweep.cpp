@@ -29,7 +29,8 @@ void ContactSweep::set_path(ContactScene& scene, std::span<const Vec2> from, std
 ///     |o − p| ≥ n·(o − p).
 ///
 /// The right side is linear in time and in p. So the larger approach speed along n of the two ends bounds the approach
-/// on the whole path. A pair that separates is free, at any depth.
+/// on the whole path. A pair that separates is free, at any depth, and so is one that coincides: it has no sides to
+/// change.
 double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance, double max) const {
   const auto displacement = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = displacement(pair.disc);
@@ -44,6 +45,7 @@ double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance
     return find_separation(there(pair.disc), there(pair.a), there(pair.b));
   };
   Separation now = gap(0.0);
+  if (now.distance <= ContactPair::coincident_share * pair.contact_distance) return max;
   double fraction = 0.0;
   const double nearest = std::min(clearance.fraction * pair.contact_distance, clearance.of_start * now.distance);
   for (int k = 0; k < max_advances; ++k) {
@@ -61,7 +63,7 @@ Separation ContactSweep::gap_at(const ContactPair& pair, double fraction, std::s
     if (anchor < 0) continue;
     positions[at(anchor)] = from_[at(anchor)] + fraction * (to_[at(anchor)] - from_[at(anchor)]);
   }
-  return find_separation(positions[at(pair.disc)], positions[at(pair.a)], positions[at(pair.b)]);
+  return separation_of(pair, positions[at(pair.disc)], positions[at(pair.a)], positions[at(pair.b)]);
 }
 
 double ContactSweep::collision_free_fraction(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to,

@@ -135,6 +135,20 @@ TEST(AnySceneOracles, FindCordsThatCrossOrPassOnlyIfBothDeclareContact) {
   EXPECT_EQ(crossings(scene, apart, moved(apart, 1, {2.0, -0.12})), 0U) << "past its end";
 }
 
+/// Where a tie was untied, two points coincide, and either rope may leave to either side.
+TEST(AnySceneOracles, LetCordsPartThatCoincided) {
+  Scene scene;
+  scene.cords = {rope({0.0, 0.0}), rope({0.5, 0.0})};
+  for (SceneCord& cord : scene.cords) cord.def.cord_contact = true;
+  for (std::size_t i = 1; i < 11; ++i) scene.cords[1].def.positions[i].y += 0.1 * static_cast<double>(i);
+  const Snapshot together = snapshot(scene);
+  Snapshot parted = together;
+  parted.cords[1].points[0].y -= 0.01;
+  EXPECT_EQ(crossings(scene, together, parted), 0U);
+  const Snapshot above = moved(together, 1, {0.0, 0.001});
+  EXPECT_EQ(crossings(scene, above, parted), 1U) << "it was at a side";
+}
+
 TEST(AnySceneOracles, FindACordThatCrossesItselfButNotAtItsNeighbours) {
   Scene scene;
   scene.cords = {rope({0.0, 0.0})};

@@ -12,7 +12,8 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr int same_crossing = 4;  // links by which a crossing may slide in a tick and still count as the same
+constexpr int same_crossing = 4;           // links by which a crossing may slide in a tick and still count as the same
+constexpr double coincident_share = 1e-6;  // of the contact distance: links that are nearer have no sides
 
 std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
@@ -54,9 +55,9 @@ bool is_at_end(const Outline& line, int link, double s, double margin) {
 template <typename Skip>
 bool passes_line(Swept p, const Outline& before, const Outline& after, double margin, Skip&& skip) {
   for (int j = 0; j < before.links(); ++j) {
-    if (before.is_on_wheel(j) || skip(j)) continue;
+    if (before.is_on_wheel(j)) continue;
     const auto where = passes(p, swept(before, after, j), swept(before, after, j + 1));
-    if (where && !is_at_end(after, j, *where, margin)) return true;
+    if (where && !is_at_end(after, j, *where, margin) && !skip(j)) return true;
   }
   return false;
 }
@@ -159,8 +160,12 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
   const Outline& a1 = after.cords[slot(a)];
   const Outline& b1 = after.cords[slot(b)];
   const int links = b1.links();
+  const double margin = scene_.cords[slot(a)].def.radius + scene_.cords[slot(b)].def.radius;
   const auto close = [&](int i, int j) {
-    return a == b ? near_[slot(a)][slot(i * links + j)] != 0 : were_close(a, i, b, j) || are_tied(a, i, b, j, after);
+    if (a == b) return near_[slot(a)][slot(i * links + j)] != 0;
+    if (were_close(a, i, b, j) || are_tied(a, i, b, j, after)) return true;
+    const double gap = distance(a0.start(i), a0.end(i), b0.start(j), b0.end(j));  // 0 where a tie was untied
+    return gap <= coincident_share * margin;
   };
   const std::vector<Pair> was = crossing_pairs(a0, b0, a == b);
   const std::vector<Pair> is = crossing_pairs(a1, b1, a == b);
@@ -173,7 +178,6 @@ bool Oracles::cords_crossed(int a, int b, const Snapshot& before, const Snapshot
     }
   }
   if (!was.empty()) return false;
-  const double margin = scene_.cords[slot(a)].def.radius + scene_.cords[slot(b)].def.radius;
   const auto passes_other = [&](const Outline& p0, const Outline& p1, const Outline& q0, const Outline& q1,
                                 const auto& is_close) {
     for (int k = 0; k < static_cast<int>(p0.points.size()); ++k) {
