@@ -23,7 +23,8 @@ void ContactPairs::add(const ContactPair& pair, double cord_radius) {
   geometries_.reserve(pairs_.capacity());
   const double overlap =
       std::clamp(1.0 - cord_radius / pair.contact_distance, min_overlap_fraction, max_overlap_fraction);
-  geometries_.push_back({pair.disc, pair.a, pair.b, pair.contact_distance, pair.initial_penetration, overlap});
+  geometries_.push_back(
+      {pair.disc, pair.a, pair.b, pair.is_mutual, pair.contact_distance, pair.initial_penetration, overlap});
 }
 
 double ContactPairs::min_contact_distance() const {

@@ -41,6 +41,7 @@ struct ContactPair {
 /// What a pass over many pairs reads of each.
 struct PairGeometry {
   int disc, a, b;
+  bool is_mutual;              // of two cords
   double contact_distance;     // m
   double initial_penetration;  // m
   double overlap_fraction;     // of contact_distance: nearer, and the centre line of the cord is inside the other

@@ -45,7 +45,7 @@ double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance
     return find_separation(there(pair.disc), there(pair.a), there(pair.b));
   };
   Separation now = gap(0.0);
-  if (now.distance <= ContactPair::coincident_share * pair.contact_distance) return max;
+  if (pair.is_mutual && now.distance <= ContactPair::coincident_share * pair.contact_distance) return max;
   double fraction = 0.0;
   const double nearest = std::min(clearance.fraction * pair.contact_distance, clearance.of_start * now.distance);
   for (int k = 0; k < max_advances; ++k) {
