@@ -41,7 +41,7 @@ void Desk::open(const Scene& scene) {
 
 void Desk::restart() {
   experiment_->restart();
-  stand_still();
+  stands_still_ = true;
   history_.forget();
   for (TickCost& cost : costs_) cost.forget();
 }
@@ -56,26 +56,18 @@ bool Desk::act(const ConsoleRequest& request) {
 void Desk::turn(const ConsoleRequest::Turn& turn) {
   const int ticks = experiment_->ticks();
   experiment_->set(turn.knob, turn.value);
-  if (experiment_->ticks() < ticks) stand_still();
+  stands_still_ = stands_still_ || experiment_->ticks() < ticks;
 }
 
 bool Desk::press(Button button) {
   switch (button) {
-    case Button::pause:
-      state_.paused = !state_.paused;
-      if (stands_still_) stand_still();  // a whole tick before it moves again
-      return true;
+    case Button::pause: state_.paused = !state_.paused; return true;
     case Button::step: state_.paused = wants_step_ = true; return true;
     case Button::slow: state_.slowed = slower(state_.slowed); return true;
     case Button::restart: restart(); return true;
     case Button::back: return false;
   }
   return true;
-}
-
-void Desk::stand_still() {
-  stands_still_ = true;
-  ticker_ = new_ticker();
 }
 
 /// A pause lets the picture move on to the last tick, so that it neither jumps there nor shows another state than the

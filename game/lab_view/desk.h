@@ -47,10 +47,7 @@ class Desk {
 
  private:
   void restart();
-  void stand_still();
   void turn(const ConsoleRequest::Turn& turn);
-
-  static engine::FixedTick new_ticker() { return engine::FixedTick(Bench::ticks_per_second, 2); }
 
   Clock clock_;
   ribbon::ParallelFor parallel_for_;
@@ -59,7 +56,7 @@ class Desk {
   History history_;
   std::array<TickCost, 2> costs_;  // of the benches
   ConsoleState state_;
-  engine::FixedTick ticker_ = new_ticker();
+  engine::FixedTick ticker_{Bench::ticks_per_second, 2};
   Picture before_;  // the last tick
   bool wants_step_ = false;
   bool stands_still_ = true;  // the last tick is shown as it is, until the next one

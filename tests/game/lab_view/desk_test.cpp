@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "ribbon/box2d/convert.h"
@@ -35,10 +36,11 @@ class DeskTest : public testing::Test {
     request.turn = {knob, value};
     desk.act(request);
   }
-  /// Returns how far the load is shown to move in each frame, m.
-  std::vector<double> ways(int frames) {
+  /// Returns how far the load is shown to move in each frame, m; the button is pressed before the first of them.
+  std::vector<double> ways(int frames, std::optional<Button> button = {}) {
     std::vector<double> all;
     Vec2 before = shown_load();
+    if (button) desk.press(*button);
     for (int k = 0; k < frames; ++k) {
       desk.run(frame_ns, {});
       const Vec2 now = shown_load();
@@ -89,13 +91,11 @@ TEST_F(DeskTest, APauseEndsAtTheLastTickWithoutAJump) {
   const std::vector<double> moving = ways(30);
   const double even = *std::max_element(moving.begin(), moving.end());
   const int ticks = desk.experiment().ticks();
-  desk.press(Button::pause);
-  for (const double way : ways(30)) EXPECT_LT(way, 1.5 * even);
+  for (const double way : ways(30, Button::pause)) EXPECT_LT(way, 1.5 * even);
   EXPECT_EQ(desk.experiment().ticks(), ticks);
   EXPECT_EQ(shown_load(), to_double(load().GetPosition()));
   for (const double way : ways(30)) EXPECT_EQ(way, 0.0);
-  desk.press(Button::pause);
-  for (const double way : ways(72)) EXPECT_LT(way, 1.5 * even);
+  for (const double way : ways(72, Button::pause)) EXPECT_LT(way, 1.5 * even);
   EXPECT_NEAR(desk.experiment().ticks() - ticks, 3, 1);
 }
 
