@@ -32,7 +32,8 @@ struct Accuracy {
   bool soft_contacts = false;
 
   /// For scenery: implicit Euler with a tolerance of 1 cm and soft contacts. Eight or more such cords that touch each
-  /// other get at most eight linear systems a step, unless one is singular. What these leave counts as unconverged.
+  /// other get one substep, whatever `substeps` is, and at most eight linear systems, unless one is singular. What
+  /// these leave counts as unconverged.
   static Accuracy fast() { return {Integrator::implicit_euler, 1, 8, 1e-2, 600, true}; }
   /// The default, for cords that carry a player: TR-BDF2 with a tolerance of 0.5 mm.
   static Accuracy balanced() { return {}; }

@@ -189,7 +189,7 @@ class RowRamps {
 template <bool repeats>
 void paint_linear(const Row& row, const Texels& texels, const Ramp& u, const Ramp& v, const ColorRamp& color) {
   if (is_inside(u, row.count, texels.width()) && is_inside(v, row.count, texels.height())) {
-    const NeighboursInside inside{texels.data(), texels.width()};
+    const NeighboursInside inside{texels.data(), static_cast<std::ptrdiff_t>(texels.width())};
     paint_image(row.pixel, row.count, Linear(inside, u, v), color, texels.is_opaque());
   } else {
     paint_image(row.pixel, row.count, Linear(NeighboursAnywhere<repeats>{texels}, u, v), color, texels.is_opaque());

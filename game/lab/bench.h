@@ -36,7 +36,8 @@ struct Disc {
 /// with chains of Box2D's joints in place of its ropes. It draws nothing and knows no clock.
 class Bench {
  public:
-  static constexpr double dt = 1.0 / 60.0;                  ///< s
+  static constexpr int ticks_per_second = 60;
+  static constexpr double dt = 1.0 / ticks_per_second;      ///< s
   static constexpr ribbon::Vec2 earth_gravity{0.0, -9.81};  ///< m/s²
 
   explicit Bench(Method method, ribbon::Vec2 gravity = earth_gravity);
@@ -58,6 +59,9 @@ class Bench {
   /// Runs a tick. The input is the pointer with button_drag (game/simulation/buttons.h): what is nearest to the pointer
   /// when the button goes down follows it.
   void tick(const engine::TickInput& input);
+
+  /// Ends a drag, as a tick without button_drag would before anything moves.
+  void let_go() { drag_.release(coupling_); }
 
   // Changes of what is there already. Positions and velocities stay.
 

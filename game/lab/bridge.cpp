@@ -49,7 +49,7 @@ Scene bridge() {
           .chains_at = Vec2{between, 0.0},
           .build = build,
           .tune = tune,
-          .readings = [](const Bench& bench, const KnobValues&) { return excess_reading(bench); }};
+          .readings = [](const Bench& bench, const KnobValues&) { return excess_readings(bench); }};
 }
 
 }  // namespace game::lab

@@ -84,6 +84,10 @@ void Experiment::tick(const engine::TickInput& input, BenchWatch* watch) {
   ++ticks_;
 }
 
+void Experiment::let_go() {
+  for (const std::unique_ptr<Bench>& bench : benches_) bench->let_go();
+}
+
 void Experiment::use(const ribbon::ParallelFor& parallel_for) {
   parallel_for_ = parallel_for;
   for (const std::unique_ptr<Bench>& bench : benches_) bench->coupling().use(parallel_for_);

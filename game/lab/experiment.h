@@ -45,6 +45,8 @@ class Experiment {
   void restart();
   /// Runs a tick of 1/60 s of all benches.
   void tick(const engine::TickInput& input = {}, BenchWatch* watch = nullptr);
+  /// Ends a drag, as a tick without button_drag would before anything moves.
+  void let_go();
   /// Sets how cords are solved in parallel; the bits are the same.
   void use(const ribbon::ParallelFor& parallel_for);
 

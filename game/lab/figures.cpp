@@ -77,6 +77,17 @@ double greatest_stretch(const Bench& bench) {
   return most;
 }
 
+int cords_in_one_step(const Bench& bench) {
+  int count = 0;
+  for (const ribbon::box2d::CordId id : bench.coupling().cords()) {
+    const CordView cord = bench.coupling().cord(id);
+    if (cord.solver() != ribbon::box2d::Solver::direct) continue;
+    const int solves = cord.island_report().stages;  // 0 for a cord that sleeps
+    if (solves > 0 && solves < cord.direct().def().accuracy.substeps) ++count;
+  }
+  return count;
+}
+
 bool is_finite(const Bench& bench) {
   const auto all_finite = [](std::span<const Vec2> vectors) {
     return std::all_of(vectors.begin(), vectors.end(), [](Vec2 v) { return ribbon::is_finite(v); });

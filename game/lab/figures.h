@@ -22,6 +22,9 @@ double length_at_rest(const ribbon::box2d::CordView& cord);
 /// @}
 /// Returns the length of a chain with the gaps of its joints, m.
 double length_now(const JointChain& chain);
+/// Returns the number of cords that did not take the substeps that they asked for in the last tick: a heap of cords
+/// with soft contacts is taken in one (ribbon::Accuracy::fast).
+int cords_in_one_step(const Bench& bench);
 /// Returns whether all positions and velocities of cords and bodies are finite.
 bool is_finite(const Bench& bench);
 /// Returns a hash of the whole state: cords and bodies.

@@ -52,7 +52,7 @@ Scene heavy_load() {
           .chains_at = Vec2{-2.0 * place.x, 0.0},
           .build = build,
           .tune = tune,
-          .readings = [](const Bench& bench, const KnobValues&) { return excess_reading(bench); }};
+          .readings = [](const Bench& bench, const KnobValues&) { return excess_readings(bench); }};
 }
 
 }  // namespace game::lab

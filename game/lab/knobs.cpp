@@ -9,6 +9,7 @@ namespace {
 
 constexpr double end_zone = 0.04;   // of a logarithmic slider, for the end that means 0 or infinity
 constexpr double key_steps = 40.0;  // from one end to the other
+static_assert(1.0 / key_steps > 0.5 * end_zone, "one press leaves an end that means 0 or infinity");
 
 double rounded(double value, int digits) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1.0);
@@ -45,12 +46,7 @@ double KnobRange::stepped(double value, int steps) const {
     const double moved = std::fmod(value - min + steps, choices);
     return min + (moved < 0.0 ? moved + choices : moved);
   }
-  const double before = position_of(value);
-  double place = before + steps / key_steps;
-  // Leaves an end that means 0 or infinity by one press.
-  if (min_is_zero && before == 0.0 && steps > 0) place = end_zone;
-  if (max_is_infinite && before == 1.0 && steps < 0) place = 1.0 - end_zone;
-  return value_at(place);
+  return value_at(position_of(value) + steps / key_steps);
 }
 
 }  // namespace game::lab

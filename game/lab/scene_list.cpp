@@ -71,7 +71,9 @@ double excess_length(const Bench& bench) {
   return length_now(cord) - def.length - elastic;
 }
 
-std::vector<Reading> excess_reading(const Bench& bench) { return {{Reading::Kind::excess, excess_length(bench)}}; }
+std::vector<Reading> excess_readings(const Bench& bench) {
+  return {{Reading::Kind::excess, excess_length(bench)}, {Reading::Kind::unconverged, 1.0 * unconverged(bench)}};
+}
 
 int unconverged(const Bench& bench) {
   int sum = 0;

@@ -45,8 +45,8 @@ std::vector<ribbon::Vec2> sagging(int points, double length, ribbon::Vec2 start,
 
 /// Returns by how much a bench's cord or chain is longer than its tensions make it, m.
 double excess_length(const Bench& bench);
-/// Returns the excess length as what a scene shows.
-std::vector<Reading> excess_reading(const Bench& bench);
+/// Returns the excess length and the number of unconverged substeps as what a scene shows.
+std::vector<Reading> excess_readings(const Bench& bench);
 /// Returns the number of substeps that did not converge since the start, of all cords of the direct solver.
 int unconverged(const Bench& bench);
 /// Returns the number of contacts of all cords in the last tick.

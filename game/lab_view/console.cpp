@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "game/lab/figures.h"
 #include "game/lab_view/head.h"
 #include "game/lab_view/knob_words.h"
 #include "game/lab_view/look.h"
@@ -49,6 +50,14 @@ std::string label_of(Button button, const ConsoleState& state) {
 /// Returns the value of a knob where the mouse is on its bar.
 double value_under(Vec2 mouse, const KnobRange& range, const Rectangle& bar) {
   return range.value_at((mouse.x - bar.corner.x) / bar.size.x);
+}
+
+/// Returns the value of a knob, and of the substeps also how many cords do not take them.
+std::string shown_value(Knob knob, const Experiment& experiment) {
+  std::string text = value_in_words(knob, experiment.values()[knob]);
+  const int others = knob == Knob::substeps ? cords_in_one_step(*experiment.benches().front()) : 0;
+  if (others == 0) return text;
+  return words::filled(words::lab::substeps_value, {{"number", text}, {"cords", std::to_string(others)}});
 }
 
 }  // namespace
@@ -193,7 +202,7 @@ void Console::draw_knob(Canvas& canvas, const Experiment& experiment, std::size_
     canvas.panel(place.corner + Vec2{2.0 * unit, 2.0 * unit}, {3.0 * unit, place.size.y - 4.0 * unit}, 0.0, look::gold);
   const double y = bar.corner.y - canvas.line_height(size) - 1.0 * unit;
   canvas.text({bar.corner.x, y}, name_of(range.knob), size, focused ? look::white : look::faint);
-  canvas.text({bar.corner.x + bar.size.x, y}, value_in_words(range.knob, value), size, look::white, Align::right);
+  canvas.text({bar.corner.x + bar.size.x, y}, shown_value(range.knob, experiment), size, look::white, Align::right);
   canvas.panel(bar.corner, bar.size, 0.5 * bar.size.y, look::field);
   const double share = range.position_of(value);
   const double at = bar.corner.x + share * bar.size.x;

@@ -36,7 +36,7 @@ struct ConsoleRequest {
 /// What the buttons show.
 struct ConsoleState {
   bool paused = false;
-  int slowed = 1;  ///< 1, 2 or 4
+  int slowed = 1;  ///< 1, 2, 4 or 10
   bool has_notice = false;
   bool uses_pad = false;
 };

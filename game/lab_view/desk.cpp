@@ -22,6 +22,9 @@ class Stopwatch : public BenchWatch {
   std::int64_t start_ns_ = 0;
 };
 
+/// Returns the factor of slow motion behind this one: full speed, 1/2, 1/4, 1/10.
+int slower(int factor) { return factor == 4 ? 10 : factor == 10 ? 1 : 2 * factor; }
+
 }  // namespace
 
 Desk::Desk(const Scene& scene, Clock clock, const ribbon::ParallelFor& parallel_for)
@@ -38,36 +41,59 @@ void Desk::open(const Scene& scene) {
 
 void Desk::restart() {
   experiment_->restart();
+  stands_still_ = true;
   history_.forget();
   for (TickCost& cost : costs_) cost.forget();
 }
 
 bool Desk::act(const ConsoleRequest& request) {
   if (request.scene) open(scenes()[*request.scene]);
-  if (request.turn) experiment_->set(request.turn->knob, request.turn->value);
+  if (request.turn) turn(*request.turn);
   return !request.button || press(*request.button);
+}
+
+/// Some knobs begin the scene anew.
+void Desk::turn(const ConsoleRequest::Turn& turn) {
+  const int ticks = experiment_->ticks();
+  experiment_->set(turn.knob, turn.value);
+  stands_still_ = stands_still_ || experiment_->ticks() < ticks;
 }
 
 bool Desk::press(Button button) {
   switch (button) {
     case Button::pause: state_.paused = !state_.paused; return true;
     case Button::step: state_.paused = wants_step_ = true; return true;
-    case Button::slow: state_.slowed = state_.slowed == 4 ? 1 : 2 * state_.slowed; return true;
+    case Button::slow: state_.slowed = slower(state_.slowed); return true;
     case Button::restart: restart(); return true;
     case Button::back: return false;
   }
   return true;
 }
 
-int Desk::ticks_to_run(int due) {
-  const bool steps = std::exchange(wants_step_, false);
-  return state_.paused ? static_cast<int>(steps) : due;
+/// A pause lets the picture move on to the last tick, so that it neither jumps there nor shows another state than the
+/// figures.
+void Desk::run(std::int64_t elapsed_ns, const engine::TickInput& input) {
+  const int due = ticker_.advance(elapsed_ns / state_.slowed);
+  if (std::exchange(wants_step_, false)) {
+    tick(input);
+    stands_still_ = true;
+  } else if (due > 0) {
+    stands_still_ = state_.paused;
+    for (int ticks = state_.paused ? 0 : due; ticks > 0; --ticks) tick(input);
+  }
 }
 
 void Desk::tick(const engine::TickInput& input) {
+  take_picture(before_, *experiment_);
   Stopwatch watch(costs_, clock_);
   experiment_->tick(input, &watch);
   history_.add(*experiment_);
+}
+
+Picture Desk::picture() const {
+  Picture now;
+  take_picture(now, *experiment_);
+  return stands_still_ ? now : between(before_, now, ticker_.alpha());
 }
 
 void Desk::draw(engine::Canvas& canvas, double text_scale, bool has_notice, bool uses_pad) {
@@ -75,7 +101,7 @@ void Desk::draw(engine::Canvas& canvas, double text_scale, bool has_notice, bool
   state_.has_notice = has_notice;
   state_.uses_pad = uses_pad;
   set_view(canvas, experiment_->scene(), layout.world);
-  draw_world(canvas, *experiment_, layout);
+  draw_world(canvas, *experiment_, picture(), layout);
   draw_head(canvas, *experiment_, figures_of(*experiment_, costs_), layout, has_notice);
   draw_plots(canvas, history_, experiment_->benches().size(), layout);
   console_.draw(canvas, *experiment_, state_, layout);

@@ -6,9 +6,11 @@
 
 #include "engine/draw/canvas.h"
 #include "engine/tick/input.h"
+#include "engine/tick/tick.h"
 #include "game/lab/experiment.h"
 #include "game/lab/history.h"
 #include "game/lab_view/console.h"
+#include "game/lab_view/picture.h"
 #include "game/lab_view/tick_cost.h"
 #include "ribbon/parallel_for.h"
 
@@ -32,15 +34,20 @@ class Desk {
   /// Does what the console asks for. Returns false for the button that leaves the lab.
   bool act(const ConsoleRequest& request);
   bool press(Button button);
-  /// Returns how many ticks to run now if `due` have elapsed at the present speed.
-  int ticks_to_run(int due);
+  /// Lets `elapsed_ns` nanoseconds of real time pass: runs the ticks that are due, or the one that a step wants.
+  void run(std::int64_t elapsed_ns, const engine::TickInput& input);
   void tick(const engine::TickInput& input = {});
+  /// Ends a drag now, since the next tick may be far.
+  void let_go() { experiment_->let_go(); }
 
+  /// Returns what it draws: what is between the last two ticks while they run, else the last one.
+  Picture picture() const;
   /// Draws everything. `has_notice`: a notice covers the strip at the top.
   void draw(engine::Canvas& canvas, double text_scale, bool has_notice = false, bool uses_pad = false);
 
  private:
   void restart();
+  void turn(const ConsoleRequest::Turn& turn);
 
   Clock clock_;
   ribbon::ParallelFor parallel_for_;
@@ -49,7 +56,10 @@ class Desk {
   History history_;
   std::array<TickCost, 2> costs_;  // of the benches
   ConsoleState state_;
+  engine::FixedTick ticker_{Bench::ticks_per_second, 2};
+  Picture before_;  // the last tick
   bool wants_step_ = false;
+  bool stands_still_ = true;  // the last tick is shown as it is, until the next one
 };
 
 }  // namespace game::lab

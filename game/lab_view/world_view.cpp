@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "game/lab_view/look.h"
@@ -35,6 +37,13 @@ Camera camera_of(const Scene& scene, const Rectangle& place) {
   return {std::max(std::min(place.size.x / size.x, place.size.y / size.y), 1e-3), 0.5 * (scene.low + scene.high)};
 }
 
+/// Returns points of a cord as what to draw.
+ribbon::PointGrid grid_of(const CordView& cord, std::span<const Vec2> x) {
+  ribbon::PointGrid grid = cord.grid();
+  grid.positions = x;
+  return grid;
+}
+
 /// The shapes of one kind, so that they are painted at once.
 struct Shapes {
   Mesh cords, lights, cloth, edges;
@@ -56,24 +65,24 @@ struct Drawer {
     return std::max(metres * canvas.view().pixels_per_metre, min_line * layout.unit);
   }
 
-  void add_rope(const CordView& cord, int pieces) {
+  void add_rope(const CordView& cord, std::span<const Vec2> x, int pieces) {
     line.clear();
     if (pieces > 1) {
       vertices.resize(ribbon::smooth_line_size(cord.shape().columns, pieces));
-      for (const ribbon::LineVertex& v : ribbon::smooth_line(cord.grid(), 0, pieces, vertices))
+      for (const ribbon::LineVertex& v : ribbon::smooth_line(grid_of(cord, x), 0, pieces, vertices))
         line.push_back(canvas.to_pixels(v.position));
     } else {
-      for (const Vec2 x : cord.positions()) line.push_back(canvas.to_pixels(x));
+      for (const Vec2 point : x) line.push_back(canvas.to_pixels(point));
     }
     const double width = width_of(2.0 * cord.direct().def().radius);
     add_polyline(shapes.cords, line, width);
     if (width > 3.0 * layout.unit) add_polyline(shapes.lights, line, 0.25 * width);
   }
 
-  void add_ribbon(const CordView& cord) {
+  void add_ribbon(const CordView& cord, std::span<const Vec2> x) {
     strip.resize(ribbon::smooth_strip_size(cord.shape().columns, pieces_of_link));
     line.clear();
-    for (const ribbon::StripVertex& v : ribbon::smooth_strip(cord.grid(), 0.0, pieces_of_link, strip))
+    for (const ribbon::StripVertex& v : ribbon::smooth_strip(grid_of(cord, x), 0.0, pieces_of_link, strip))
       line.push_back(canvas.to_pixels(v.position));
     indices.clear();
     for (int k = 0; k + 2 < static_cast<int>(line.size()); ++k) indices.insert(indices.end(), {k, k + 1, k + 2});
@@ -86,8 +95,7 @@ struct Drawer {
   }
 
   /// Draws bars and points, as the thesis does.
-  void add_mesh(const CordView& cord) {
-    const auto x = cord.positions();
+  void add_mesh(const CordView& cord, std::span<const Vec2> x) {
     for (const ribbon::Connection& bar : cord.thesis().mesh().connections) {
       const std::array ends = {canvas.to_pixels(x[static_cast<std::size_t>(bar.a)]),
                                canvas.to_pixels(x[static_cast<std::size_t>(bar.b)])};
@@ -102,25 +110,24 @@ struct Drawer {
     }
   }
 
-  void add(const CordView& cord, int pieces) {
-    if (cord.solver() == ribbon::box2d::Solver::thesis) return add_mesh(cord);
-    if (cord.shape().rows > 1) return add_ribbon(cord);
-    add_rope(cord, pieces);
+  void add(const CordView& cord, std::span<const Vec2> x, int pieces) {
+    if (cord.solver() == ribbon::box2d::Solver::thesis) return add_mesh(cord, x);
+    if (cord.shape().rows > 1) return add_ribbon(cord, x);
+    add_rope(cord, x, pieces);
     for (const int pin : cord.direct().def().pins) {
-      add_disc(shapes.constrained, canvas.to_pixels(cord.positions()[static_cast<std::size_t>(pin)]),
+      add_disc(shapes.constrained, canvas.to_pixels(x[static_cast<std::size_t>(pin)]),
                std::max(3.2 * layout.unit * std::min(1.0, canvas.view().pixels_per_metre / 40.0), layout.unit));
     }
   }
 
-  void add(const JointChain& chain, const ribbon::CordDef& def) {
-    Vec2 before = to_double(chain.point(0));
-    for (int k = 0; k + 1 < chain.points(); ++k) {
-      const auto [a, b] = chain.ends(k);
-      const std::array box = {canvas.to_pixels(to_double(a)), canvas.to_pixels(to_double(b))};
+  void add(std::span<const std::pair<Vec2, Vec2>> links, const ribbon::CordDef& def) {
+    Vec2 before = links.front().first;
+    for (const auto& [front, rear] : links) {
+      const std::array box = {canvas.to_pixels(front), canvas.to_pixels(rear)};
       add_polyline(shapes.links, box, width_of(2.0 * def.radius));
-      if (length(to_double(a) - before) > visible_gap)
+      if (length(front - before) > visible_gap)
         add_polyline(shapes.gaps, std::array{canvas.to_pixels(before), box[0]}, 1.3 * layout.unit);
-      before = to_double(b);
+      before = rear;
     }
     for (const int pin : def.pins) {
       const Vec2 at = canvas.to_pixels(def.positions[static_cast<std::size_t>(pin)]);
@@ -128,9 +135,10 @@ struct Drawer {
     }
   }
 
-  void add_disc_of(const b2Body& body, const b2CircleShape& circle) {
+  /// Its centre is that of its body, as Bench adds it.
+  void add_disc_of(const b2Body& body, const b2CircleShape& circle, const Snapshot::Body& pose) {
     const bool is_fixed = body.GetType() == b2_staticBody;
-    const Vec2 center = canvas.to_pixels(to_double(body.GetWorldPoint(circle.m_p)));
+    const Vec2 center = canvas.to_pixels(pose.position);
     const double radius = static_cast<double>(circle.m_radius) * canvas.view().pixels_per_metre;
     const bool is_asleep = !is_fixed && !body.IsAwake();
     add_disc(is_fixed ? shapes.fixed : is_asleep ? shapes.asleep : shapes.bodies, center, radius);
@@ -138,15 +146,14 @@ struct Drawer {
     const double width = std::min(1.8 * layout.unit, 0.4 * radius);
     add_ring(rims, center, radius - 0.5 * width, width);
     if (is_fixed || radius < 6.0 * layout.unit) return;
-    const auto angle = static_cast<double>(body.GetAngle());
-    const Vec2 spoke{radius * std::cos(angle), -radius * std::sin(angle)};
+    const Vec2 spoke{radius * std::cos(pose.angle), -radius * std::sin(pose.angle)};
     add_polyline(rims, std::array{center, center + spoke}, width);
   }
 
-  void add(const b2Body& body) {
+  void add(const b2Body& body, const Snapshot::Body& pose) {
     for (const b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       const b2Shape& shape = *fixture->GetShape();
-      if (shape.GetType() == b2Shape::e_circle) add_disc_of(body, static_cast<const b2CircleShape&>(shape));
+      if (shape.GetType() == b2Shape::e_circle) add_disc_of(body, static_cast<const b2CircleShape&>(shape), pose);
       if (shape.GetType() != b2Shape::e_edge) continue;
       const auto& edge = static_cast<const b2EdgeShape&>(shape);
       const std::array ends = {canvas.to_pixels(to_double(edge.m_vertex1)),
@@ -155,11 +162,14 @@ struct Drawer {
     }
   }
 
-  void add(const Bench& bench) {
-    for (const b2Body* body = bench.world().GetBodyList(); body != nullptr; body = body->GetNext()) add(*body);
+  void add(const Bench& bench, const Picture::Bench& shown) {
+    std::size_t number = shown.snapshot.bodies.size();
+    for (const b2Body* body = bench.world().GetBodyList(); body != nullptr; body = body->GetNext())
+      add(*body, shown.snapshot.bodies[--number]);
     const int pieces = bench.coupling().size() > most_smooth_cords ? 1 : pieces_of_link;
-    for (const ribbon::box2d::CordId id : bench.coupling().cords()) add(bench.coupling().cord(id), pieces);
-    for (std::size_t k = 0; k < bench.chains().size(); ++k) add(bench.chains()[k], bench.definitions()[k]);
+    for (const ribbon::box2d::CordId id : bench.coupling().cords())
+      add(bench.coupling().cord(id), shown.snapshot.cords[static_cast<std::size_t>(id)], pieces);
+    for (std::size_t k = 0; k < shown.chains.size(); ++k) add(shown.chains[k], bench.definitions()[k]);
   }
 
   void paint() const {
@@ -201,22 +211,21 @@ void draw_grid(Canvas& canvas, const Layout& layout) {
 }
 
 /// Marks what the pointer drags.
-void draw_dragged(Canvas& canvas, const Bench& bench, double unit) {
+void draw_dragged(Canvas& canvas, const Bench& bench, const Snapshot& shown, double unit) {
   Mesh ring;
   if (const auto& point = bench.drag().cord_point()) {
-    const Vec2 at = bench.coupling().cord(point->cord).position(point->point);
+    const Vec2 at = shown.cords[static_cast<std::size_t>(point->cord)][static_cast<std::size_t>(point->point)];
     add_ring(ring, canvas.to_pixels(at), 8.0 * unit, 2.0 * unit);
   }
   if (const b2Body* body = bench.drag().body())
-    add_ring(ring, canvas.to_pixels(to_double(body->GetPosition())), 12.0 * unit, 2.0 * unit);
+    add_ring(ring, canvas.to_pixels(shown.bodies[number_of(*body)].position), 12.0 * unit, 2.0 * unit);
   canvas.mesh(ring, look::operated_point);
 }
 
-void draw_forces(Canvas& canvas, const Experiment& experiment, const Layout& layout) {
-  if (!experiment.scene().forces) return;
+void draw_forces(Canvas& canvas, std::span<const ShownForce> forces, const Layout& layout) {
   Mesh arrows;
   const double size = 13.0 * layout.unit;
-  for (const ShownForce& force : experiment.scene().forces(*experiment.benches().front(), experiment.values())) {
+  for (const ShownForce& force : forces) {
     const Vec2 tip = canvas.to_pixels(force.tip);
     const Vec2 tail = canvas.to_pixels(force.tip - force.arrow);
     const double reach = length(tip - tail);
@@ -248,14 +257,16 @@ Vec2 to_world(const Scene& scene, const Rectangle& place, Vec2 pixel) {
   return camera.middle + (1.0 / camera.scale) * Vec2{off.x, -off.y};
 }
 
-void draw_world(Canvas& canvas, const Experiment& experiment, const Layout& layout) {
+void draw_world(Canvas& canvas, const Experiment& experiment, const Picture& picture, const Layout& layout) {
   canvas.clear(look::sky_top, look::sky_bottom);
   draw_grid(canvas, layout);
   Drawer drawer{canvas, layout};
-  for (const auto& bench : experiment.benches()) drawer.add(*bench);
+  const auto benches = experiment.benches();
+  for (std::size_t k = 0; k < benches.size(); ++k) drawer.add(*benches[k], picture.benches[k]);
   drawer.paint();
-  draw_forces(canvas, experiment, layout);
-  for (const auto& bench : experiment.benches()) draw_dragged(canvas, *bench, layout.unit);
+  draw_forces(canvas, picture.forces, layout);
+  for (std::size_t k = 0; k < benches.size(); ++k)
+    draw_dragged(canvas, *benches[k], picture.benches[k].snapshot, layout.unit);
 }
 
 }  // namespace game::lab

@@ -31,8 +31,7 @@ Next LabScreen::update(const Frame& frame) {
   if (!desk_.act(request)) return Next::back();
   read_keys(input);
   const engine::TickInput pointer = pointer_of(input, layout);
-  const int due = clock_.advance(frame.elapsed_ns / desk_.state().slowed);
-  for (int ticks = desk_.ticks_to_run(due); ticks > 0; --ticks) desk_.tick(pointer);
+  desk_.run(frame.elapsed_ns, pointer);
   return Next::stay();
 }
 
@@ -47,7 +46,10 @@ void LabScreen::read_keys(const engine::WindowInput& input) {
 /// Returns the pointer for the ticks of a frame. A drag begins in the world, and goes on wherever the pointer is.
 engine::TickInput LabScreen::pointer_of(const engine::WindowInput& input, const lab::Layout& layout) {
   if (input.pressed(engine::MouseButton::left)) drags_ = !desk_.console().takes_mouse(input.mouse, layout);
-  if (!input.held(engine::MouseButton::left)) drags_ = false;
+  if (!input.held(engine::MouseButton::left)) {
+    drags_ = false;
+    desk_.let_go();
+  }
   engine::TickInput pointer;
   engine::set_pointer(pointer, lab::to_world(experiment().scene(), layout.world, input.mouse));
   if (drags_) pointer.buttons |= button_drag;

@@ -3,7 +3,6 @@
 #include <string>
 #include <string_view>
 
-#include "engine/tick/tick.h"
 #include "game/lab_view/desk.h"
 #include "game/screens/screen.h"
 #include "game/screens/session.h"
@@ -31,7 +30,6 @@ class LabScreen : public Screen {
 
   Session* session_;
   lab::Desk desk_;
-  engine::FixedTick clock_{ticks_per_second, 2};
   bool drags_ = false;
 };
 

@@ -24,6 +24,8 @@ class Drag {
   /// releases it when it goes up. `bodies`: those of the scene; `players`: others that can be dragged too.
   void apply(const engine::TickInput& input, ribbon::box2d::Coupling& coupling,
              std::span<const engine::SceneBody> bodies, std::span<b2Body* const> players, double dt);
+  /// Ends a drag, as apply does when button_drag is up.
+  void release(ribbon::box2d::Coupling& coupling);
   /// Drops all references, for a scene that no longer exists.
   void forget() { *this = {}; }
 
@@ -44,7 +46,6 @@ class Drag {
 
   void pick(ribbon::Vec2 pointer, ribbon::box2d::Coupling& coupling, std::span<const engine::SceneBody> bodies,
             std::span<b2Body* const> players);
-  void release(ribbon::box2d::Coupling& coupling);
   void follow_piece(const ribbon::box2d::Coupling& coupling);
   static std::optional<Body> nearest_body(ribbon::Vec2 pointer, std::span<const engine::SceneBody> bodies,
                                           std::span<b2Body* const> players);

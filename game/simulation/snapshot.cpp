@@ -34,8 +34,7 @@ Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha) {
   return between;
 }
 
-void take_snapshot(Snapshot& snapshot, const engine::Scene& scene) {
-  const ribbon::box2d::Coupling& coupling = scene.coupling();
+void take_snapshot(Snapshot& snapshot, const b2World& world, const ribbon::box2d::Coupling& coupling) {
   const auto ids = coupling.cords();
   snapshot.cords.resize(ids.empty() ? 0 : at(ids.back()) + 1);
   for (std::vector<Vec2>& cord : snapshot.cords) cord.clear();
@@ -43,14 +42,18 @@ void take_snapshot(Snapshot& snapshot, const engine::Scene& scene) {
     const auto positions = coupling.cord(id).positions();
     snapshot.cords[at(id)].assign(positions.begin(), positions.end());
   }
-  auto index = static_cast<std::size_t>(scene.world().GetBodyCount());
+  auto index = static_cast<std::size_t>(world.GetBodyCount());
   snapshot.bodies.resize(index);
-  for (const b2Body* body = scene.world().GetBodyList(); body != nullptr; body = body->GetNext()) {
+  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     snapshot.bodies[--index] = {to_double(body->GetPosition()), static_cast<double>(body->GetAngle())};
   }
   snapshot.wheels.clear();
+}
+
+void take_snapshot(Snapshot& snapshot, const engine::Scene& scene) {
+  take_snapshot(snapshot, scene.world(), scene.coupling());
   for (const engine::SceneWheel& wheel : scene.wheels()) {
-    const ribbon::box2d::PulleyView pulley = coupling.pulley(wheel.pulley);
+    const ribbon::box2d::PulleyView pulley = scene.coupling().pulley(wheel.pulley);
     snapshot.wheels.emplace_back();
     if (!pulley.is_valid()) continue;
     const ribbon::box2d::PulleyState state = pulley.state();

@@ -26,7 +26,10 @@ struct Snapshot {
 /// Interpolates linearly; `alpha` is 0 … 1 for `from` … `to`, which must be of the same world.
 Snapshot interpolate(const Snapshot& from, const Snapshot& to, double alpha);
 
-/// Overwrites the snapshot with the positions of now.
+/// Overwrites the snapshot with the positions of now; without a scene it has no wheels.
+/// @{
 void take_snapshot(Snapshot& snapshot, const engine::Scene& scene);
+void take_snapshot(Snapshot& snapshot, const b2World& world, const ribbon::box2d::Coupling& coupling);
+/// @}
 
 }  // namespace game

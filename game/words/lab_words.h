@@ -56,6 +56,7 @@ inline constexpr const char* self_collision = "self-collision";
 inline constexpr const char* air_drag = "drag of the air";
 
 // Their values
+inline constexpr const char* substeps_value = "{number}; 1 for {cords} in a heap";
 inline constexpr const char* ratio_value = "{number} : 1";
 inline constexpr const char* times_value = "{number} ×";
 inline constexpr const char* degrees_value = "{number}°";

@@ -96,6 +96,18 @@ class Browser {
       {type, x, y, button: type === 'mouseMoved' ? 'none' : 'left', buttons: held, clickCount: 1});
   }
 
+  // A click on the middle of an element of the page.
+  async click(selector) {
+    const at = await this.value(`(() => {
+      const place = document.querySelector('${selector}').getBoundingClientRect();
+      return [place.x + place.width / 2, place.y + place.height / 2];
+    })()`);
+    for (const type of ['mouseMoved', 'mousePressed', 'mouseReleased']) await this.mouse(type, ...at);
+  }
+
+  // Answers for the user: 'granted' or 'denied', until forget().
+  async allow(permission, setting) { await this.call('Browser.setPermission', {permission: {name: permission}, setting}); }
+
   // Fingers at places [x, y]; none lifts them all.
   async touch(type, ...places) {
     await this.call('Input.dispatchTouchEvent', {type, touchPoints: places.map(([x, y], id) => ({x, y, id}))});
@@ -115,6 +127,7 @@ class Browser {
   async forget() {
     for (const identifier of this.scripts) await this.call('Page.removeScriptToEvaluateOnNewDocument', {identifier});
     this.scripts.clear();
+    await this.call('Browser.resetPermissions');
     await this.call('Emulation.setTouchEmulationEnabled', {enabled: false});
     await this.call('Page.navigate', {url: 'about:blank'});
   }

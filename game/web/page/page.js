@@ -82,6 +82,25 @@ const tell = text => {
   setTimeout(() => note.remove(), 5000);
 };
 
+// A link that the page cannot put into the clipboard, selected, so that two keys copy it. Keys there are not the game's.
+const showLink = link => {
+  at('shown').hidden = false;
+  at('run').value = link;
+  at('run').select();
+};
+const hideLink = () => {
+  at('shown').hidden = true;
+  at('canvas').focus();
+};
+const startShown = () => {
+  at('shown').onsubmit = event => {
+    event.preventDefault();
+    hideLink();
+  };
+  for (const name of ['keydown', 'keypress', 'keyup']) at('shown').addEventListener(name, event => event.stopPropagation());
+  at('shown').addEventListener('keydown', event => { if (event.key === 'Escape') hideLink(); });
+};
+
 const maxLink = 60000;  // letters; some programs cut longer links
 const startBar = () => {
   at('bar').hidden = false;
@@ -93,7 +112,7 @@ const startBar = () => {
       await navigator.clipboard.writeText(link);
       tell('The link is in the clipboard.');
     } catch {
-      prompt('The link to this run:', link);
+      showLink(link);
     }
   });
   at('open').onchange = async event => {
@@ -139,6 +158,7 @@ var Module = {
     at('message').hidden = true;
     performance.mark('first frame');
     startBar();
+    startShown();
     setInterval(() => { store(); takePictures(); }, 2000);
     at('canvas').focus();
   },

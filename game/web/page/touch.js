@@ -24,7 +24,7 @@ const startTouch = (layer, canvas) => {
     pad.className = 'pad';
     pad.textContent = name;
     pad.style.right = right + 'px';
-    if (bottom === null) pad.style.top = '24px'; else pad.style.bottom = bottom + 'px';
+    if (bottom === null) pad.style.top = '64px'; else pad.style.bottom = bottom + 'px';
     layer.append(pad);
     pads.set(pad, code);
   }

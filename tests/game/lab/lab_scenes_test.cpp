@@ -175,6 +175,43 @@ TEST_P(LabScene, EverySliderChangesTheMotion) {
   }
 }
 
+/// Substeps change nothing in a heap of cords with soft contacts, and what the lab says of it is what the library
+/// reports: a heap of balanced ones takes them all, and so do cords that do not touch.
+TEST(Lab, TellsWhereSubstepsChangeNothing) {
+  Experiment one(scene_named("pile"));
+  Experiment four(scene_named("pile"));
+  EXPECT_EQ(cords_in_one_step(cords_of(one)), 0);
+  for (int tick = 0; tick < 150; ++tick) {
+    one.tick();
+    four.tick();
+  }
+  four.set(Knob::substeps, 4.0);
+  one.tick();
+  four.tick();
+  EXPECT_EQ(cords_in_one_step(cords_of(one)), 0) << "one is what was asked for";
+  EXPECT_EQ(cords_in_one_step(cords_of(four)), 12);
+  for (const ribbon::box2d::CordId id : cords_of(one).coupling().cords()) {
+    const auto x = cords_of(one).coupling().cord(id).positions();
+    const auto y = cords_of(four).coupling().cord(id).positions();
+    EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end())) << id;
+  }
+  four.set(Knob::preset, 1.0);
+  four.set(Knob::substeps, 4.0);
+  four.tick();
+  EXPECT_EQ(cords_in_one_step(cords_of(four)), 0);
+}
+
+/// Wherever the direct solver is at work, a scene tells what it did not solve.
+TEST(Lab, EverySceneOfTheDirectSolverTellsWhatDidNotConverge) {
+  for (const Scene& scene : scenes()) {
+    const Experiment experiment(scene);
+    const auto readings = scene.readings(cords_of(experiment), experiment.values());
+    const bool tells = std::any_of(readings.begin(), readings.end(),
+                                   [](const Reading& each) { return each.kind == Reading::Kind::unconverged; });
+    EXPECT_EQ(tells, range_of(scene, Knob::preset) != nullptr) << scene.name;
+  }
+}
+
 TEST(Lab, APresetSetsSubstepsAndTolerance) {
   Experiment experiment(scene_named("bridge"));
   experiment.set(Knob::preset, 2.0);

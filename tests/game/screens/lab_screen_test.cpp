@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -83,7 +84,7 @@ TEST_P(LabAt, AllTextsOfAllScenesAreReadable) {
       for (int k = 0; k < 30; ++k) frame(screen);
       expect_readable("in motion");
       press(screen, Key::p);
-      press(screen, Key::x);
+      for (int k = 0; k < 3; ++k) press(screen, Key::x);
       for (const double share : {0.0, 1.0}) {
         for (std::size_t k = 0; k < scene.knobs.size(); ++k) {
           const Rectangle bar = lab::Console::bar_place(k, layout());
@@ -152,6 +153,47 @@ TEST_P(LabAt, TheMouseTurnsSlidersAndDragsCords) {
   EXPECT_LT(length(pin() - start - Vec2{0.4, 0.4}), 0.05);
   frame(screen, mouse(canvas.to_pixels(start), false, false));
   EXPECT_FALSE(screen.experiment().benches()[0]->drag().cord_point());
+}
+
+/// Also when no tick comes: nothing is dragged any more, and a press elsewhere picks what is there.
+TEST_P(LabAt, ADragThatEndsInAPauseIsOver) {
+  LabScreen screen(session, "bridge");
+  canvas.set_view({});
+  lab::set_view(canvas, screen.experiment().scene(), layout().world);
+  const auto x = screen.experiment().benches()[0]->coupling().cord(0).positions();
+  const Vec2 first = canvas.to_pixels(x.front());
+  const Vec2 last = canvas.to_pixels(x.back());
+  const auto dragged = [&] { return screen.experiment().benches()[0]->drag().cord_point(); };
+  frame(screen, mouse(first, true, true));
+  ASSERT_TRUE(dragged());
+  press(screen, Key::p);
+  frame(screen, mouse(first, true, true));
+  frame(screen, mouse(first, false, true));
+  frame(screen, mouse(first, false, false));
+  EXPECT_FALSE(dragged());
+  frame(screen, mouse(last, true, true));
+  engine::WindowInput step = mouse(last, false, true);
+  step.keys_pressed.set(static_cast<std::size_t>(Key::n));
+  frame(screen, step);
+  ASSERT_TRUE(dragged());
+  EXPECT_EQ(dragged()->point, static_cast<int>(x.size()) - 1);
+}
+
+/// The preset fast takes a heap in one step, and leaves some substeps unconverged: both are shown.
+TEST_P(LabAt, SaysWhatTheHeapDoesNotDo) {
+  LabScreen screen(session, "pile");
+  const auto slider = std::find_if(screen.experiment().scene().knobs.begin(), screen.experiment().scene().knobs.end(),
+                                   [](const lab::KnobRange& range) { return range.knob == lab::Knob::substeps; });
+  const auto line = static_cast<std::size_t>(slider - screen.experiment().scene().knobs.begin());
+  const Rectangle bar = lab::Console::bar_place(line, layout());
+  click(screen, {bar.corner + Vec2{slider->position_of(4.0) * bar.size.x - 0.5, 0.0}, {1.0, bar.size.y}});
+  ASSERT_EQ(screen.experiment().values()[lab::Knob::substeps], 4.0);
+  EXPECT_EQ(draw(screen).find("in a heap"), std::string::npos) << "nothing touches";
+  for (int k = 0; k < 180; ++k) frame(screen);
+  const std::string texts = draw(screen);
+  EXPECT_NE(texts.find("4; 1 for 12 in a heap"), std::string::npos) << texts;
+  EXPECT_NE(texts.find("substeps did not converge"), std::string::npos) << texts;
+  EXPECT_EQ(canvas.faults(), "");
 }
 
 TEST_P(LabAt, OpensItsScenesByClicksAndLeavesByItsButton) {
