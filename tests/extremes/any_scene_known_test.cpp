@@ -66,6 +66,7 @@ const Known scenes[] = {
     {"BalancedHeapsAreTruncated", gentle(Family::heap_held, 6, Preset::balanced), "gain of energy", gain, 1e-3},
     {"KeepersLeaveSomeOfTheCord", gentle(Family::reeved, 39, Preset::balanced), "unconverged substeps", unconverged,
      20},
+    {"UntiedPointsPart", gentle(Family::tied, 5, Preset::accurate), "unconverged substeps", unconverged, 30},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
