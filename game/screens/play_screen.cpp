@@ -9,6 +9,7 @@
 #include "game/screens/last_seconds_screen.h"
 #include "game/screens/pause_screen.h"
 #include "game/screens/results_screen.h"
+#include "game/screens/yard_screen.h"
 #include "game/settings/two_players.h"
 #include "game/simulation/buttons.h"
 #include "game/view/hud.h"
@@ -126,6 +127,7 @@ void PlayScreen::reload_if_changed(std::int64_t elapsed_ns) {
     Level level = load_level(level_file_->path());
     if (level.map.content_hash == run_.level().map.content_hash) return;  // written by the panel
     level.assists = run_.level().assists;
+    set_yard(level, yard_of(yard_text(run_.level().yard), level).value_or(Yard{}));
     run_.set_level(std::move(level), false);
     session_->notice.show(words::level_reloaded);
     restart();
@@ -142,6 +144,8 @@ Next PlayScreen::play(const Frame& frame) {
     return direct_ ? Next::quit() : Next::back();
   }
   if (wants_pause(frame)) return Next::open(std::make_unique<PauseScreen>(*session_, *this));
+  if (can_build() && session_->settings.bindings.pressed(Action::palette, frame.input))
+    return Next::open(std::make_unique<YardScreen>(*session_, *this));
   handle_keys(frame);
   const ribbon::Vec2 mouse = frame.canvas.to_world(frame.input.mouse);
   take_controls(frame.input, mouse);
@@ -211,7 +215,35 @@ void PlayScreen::step() {
   if (!is_over()) tick();
 }
 
+void PlayScreen::begin_building() {
+  if (!records_runs() && std::exchange(options_.record, "") != "")
+    session_->notice.show(words::recording_ended_by_building);
+  build(with_start_at(run_.level().yard, simulation()));
+}
+
+void PlayScreen::build(const Yard& yard) {
+  Level level = run_.level();
+  set_yard(level, yard);
+  try {
+    run_.set_level(std::move(level), run_.level_is_tuned());
+  } catch (const engine::ReplayError& error) {
+    report_recording_failure(error);
+  }
+  run_.begin("");
+}
+
+void PlayScreen::end_building() {
+  controls_.discard();
+  second_controls_.discard();
+  begin_run();
+}
+
+/// Goes back to the start of the level, also after building elsewhere.
 void PlayScreen::restart() {
+  if (Yard yard = run_.level().yard; yard.start && can_build()) {
+    yard.start.reset();
+    build(yard);
+  }
   controls_.discard();
   second_controls_.discard();
   hint_.begin(run_.level().hint);
@@ -300,6 +332,9 @@ void PlayScreen::fill_hud(const engine::Canvas& canvas, double text_scale) {
           : settings.help && for_two ? help_lines_for_two(settings, pad)
           : settings.help            ? help_lines(settings, pad)
                                      : help_line(settings, pad);
+  if (can_build() && !settings.help && !pad)
+    keys_.push_back(
+        words::filled(words::build_key, {{"key", codes_in_words(settings.bindings, Action::palette, false, 1)}}));
   choose_message();
   view_options_.keys = &keys_;
   notice_ = recording_failed_ ? words::recording_stopped : session_->notice.text();

@@ -40,6 +40,14 @@ class PlayScreen : public Screen {
   void step();
   /// Restarts the level.
   void restart();
+  /// Returns whether things can be placed in this run: it is of a sandbox, and no replay.
+  bool can_build() const { return run_.level().sandbox && !is_plain(); }
+  /// Begins a run that stands still, from where the player is, to build() its yard. Precondition: can_build().
+  void begin_building();
+  /// Begins it again with another yard.
+  void build(const Yard& yard);
+  /// Begins the run that is played, and recorded, with that yard.
+  void end_building();
   /// Marks the run as assisted: it earns no medal.
   void mark_assisted() { assisted_ = true; }
 

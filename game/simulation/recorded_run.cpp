@@ -21,7 +21,7 @@ Level level_for(const RunOptions& options, const std::optional<engine::Replay>& 
     throw engine::MapError(std::string(error.what()) + "; the replay is of that level: give its map with --level");
   }
   level.assists = options.assists;
-  if (replay) Simulation::take_assists(level, replay->header);
+  if (replay) Simulation::take_settings(level, replay->header);
   if (replay) engine::check_header(replay->header, Simulation::replay_header(level));
   return level;
 }

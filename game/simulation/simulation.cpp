@@ -18,6 +18,7 @@ constexpr double tick_dt = 1.0 / ticks_per_second;  // s
 constexpr double max_grab_range = 10.0;             // m, accepted in a replay
 constexpr const char* grab_range_setting = "player_reach";
 constexpr const char* no_fall_setting = "no_fall";
+constexpr const char* yard_setting = "yard";
 constexpr double no_fall_value = 1.0;      // of no_fall_setting
 constexpr int foothold_ticks = 15;         // of standing, after which a position becomes the foothold
 constexpr double fall_depth = 3.0;         // m below the level, at which the player is put back
@@ -363,10 +364,11 @@ engine::ReplayHeader Simulation::replay_header(const Level& level) {
   header.settings["cord_method"] = std::string(ribbon::box2d::solver_name(engine::Scene::default_solver));
   if (level.assists.grab_range) header.settings[grab_range_setting] = *level.assists.grab_range;
   if (level.assists.no_fall) header.settings[no_fall_setting] = no_fall_value;
+  if (std::string yard = yard_text(level.yard); !yard.empty()) header.settings[yard_setting] = std::move(yard);
   return header;
 }
 
-void Simulation::take_assists(Level& level, const engine::ReplayHeader& header) {
+void Simulation::take_settings(Level& level, const engine::ReplayHeader& header) {
   const auto declared = [&header](const char* setting) {
     const auto found = header.settings.find(setting);
     const double* value = found == header.settings.end() ? nullptr : std::get_if<double>(&found->second);
@@ -375,6 +377,9 @@ void Simulation::take_assists(Level& level, const engine::ReplayHeader& header) 
   const auto range = declared(grab_range_setting);
   level.assists.grab_range = range && *range > 0.0 && *range <= max_grab_range ? range : std::nullopt;
   level.assists.no_fall = declared(no_fall_setting) == no_fall_value;
+  const auto placed = header.settings.find(yard_setting);
+  const std::string* text = placed == header.settings.end() ? nullptr : std::get_if<std::string>(&placed->second);
+  set_yard(level, text != nullptr ? yard_of(*text, level).value_or(Yard{}) : Yard{});
 }
 
 }  // namespace game

@@ -88,8 +88,9 @@ class Simulation {
 
   /// Returns the header of a replay of this level.
   static engine::ReplayHeader replay_header(const Level& level);
-  /// Sets the assists of the level to those that the replay declares.
-  static void take_assists(Level& level, const engine::ReplayHeader& header);
+  /// Sets the assists and the yard of the level to those that the replay declares. What it cannot have stays out, so
+  /// that the headers differ.
+  static void take_settings(Level& level, const engine::ReplayHeader& header);
 
  private:
   void restart();

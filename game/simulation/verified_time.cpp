@@ -43,7 +43,7 @@ void run_again(const engine::Replay& replay, VerifiedTime& time, const std::func
   Level level = load_level(replay.header.level);
   time.title = level.title;
   time.number = level.number;
-  Simulation::take_assists(level, replay.header);
+  Simulation::take_settings(level, replay.header);
   engine::check_header(replay.header, Simulation::replay_header(level));
   Simulation simulation(level);
   engine::ReplayVerifier verifier(replay);

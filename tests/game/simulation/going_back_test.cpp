@@ -61,7 +61,7 @@ TEST_P(GoingBack, GivesTheSameBitsIfNothingSleeps) {
 TEST_P(GoingBack, ByTenSecondsGivesTheSameBitsIfNothingSleeps) {
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   Level level = load_level(replay.header.level);
-  Simulation::take_assists(level, replay.header);
+  Simulation::take_settings(level, replay.header);
   Simulation run(level);
   run.scene().world().SetAllowSleeping(false);
   const int end = static_cast<int>(replay.ticks.size());

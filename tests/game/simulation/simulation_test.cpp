@@ -198,12 +198,12 @@ TEST(NoFall, IsTakenFromTheHeaderOfAReplay) {
   const engine::ReplayHeader header = Simulation::replay_header(level);
   Level other = first_swing_level();
   EXPECT_THROW(engine::check_header(header, Simulation::replay_header(other)), engine::ReplayError);
-  Simulation::take_assists(other, header);
+  Simulation::take_settings(other, header);
   EXPECT_TRUE(other.assists.no_fall);
   EXPECT_NO_THROW(engine::check_header(header, Simulation::replay_header(other)));
   engine::ReplayHeader strange = header;
   strange.settings["no_fall"] = 0.5;
-  Simulation::take_assists(other, strange);
+  Simulation::take_settings(other, strange);
   EXPECT_FALSE(other.assists.no_fall);
   EXPECT_THROW(engine::check_header(strange, Simulation::replay_header(other)), engine::ReplayError);
 }

@@ -99,7 +99,7 @@ TEST(LastSeconds, OfEveryRecordedRunAreThoseOfTheRunAndRepeatThemselves) {
   for (const std::string& name : level_names()) {
     const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + name + ".replay");
     Level level = load_level(name);
-    Simulation::take_assists(level, replay.header);
+    Simulation::take_settings(level, replay.header);
     const std::vector<engine::TickInput> inputs = recorded(name.c_str());
     Simulation run(level);
     for (const engine::TickInput& input : inputs) run.tick(input);
