@@ -175,12 +175,16 @@ void PlayScreen::take_controls(const engine::WindowInput& input, ribbon::Vec2 mo
   const bool dragging = view_options_.debug || run_.level().sandbox;
   if (simulation().players() == 1) return controls_.take(input, settings, mouse, dragging);
   controls_.take(input_of(0, input), bindings_of(0, settings), settings.toggle_grab, mouse, dragging);
-  second_controls_.take(input_of(1, input), bindings_of(1, settings), settings.toggle_grab, mouse, false);
+  second_controls_.take(input_of(1, input), bindings_of(1, settings), settings.toggle_grab, std::nullopt, false);
 }
 
 engine::TickInput PlayScreen::next_input() {
   engine::TickInput input = controls_.next(simulation().player().hand());
-  if (simulation().players() == 2) input.second_buttons = second_controls_.next(simulation().player(1).hand()).buttons;
+  if (simulation().players() == 2) {
+    const ribbon::Vec2 hand = simulation().player(1).hand();
+    input.second_buttons = second_controls_.next(hand).buttons;
+    if (const auto at = second_controls_.pointer(hand)) engine::set_second_pointer(input, *at);
+  }
   input.buttons &= static_cast<std::uint16_t>(~button_restart);
   input.second_buttons &= static_cast<std::uint16_t>(~button_restart);
   return input;

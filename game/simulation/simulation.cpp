@@ -61,7 +61,7 @@ void Simulation::skip(const engine::TickInput& input) {
   if (((pressed[0] | pressed[1]) & button_retry) != 0) put_players_back();
 
   apply(0, buttons[0], pressed[0], engine::pointer(input));
-  if (players() == 2) apply(1, buttons[1], pressed[1], std::nullopt);
+  if (players() == 2) apply(1, buttons[1], pressed[1], engine::second_pointer(input));
   follow_lines();
   if (tether_) reel_tether(input);
   std::array<b2Body*, 2> bodies{&players_[0]->body(), players() == 2 ? &players_[1]->body() : nullptr};
