@@ -18,7 +18,9 @@ class CordHold {
   void begin_tick(bool grabs, ribbon::Vec2 hand, const ribbon::box2d::Coupling& coupling, const PlayerTuning& tuning);
 
   /// Returns whether a cord is held.
-  bool is_valid(const ribbon::box2d::Coupling& coupling) const { return grip_id_ && coupling.grip(*grip_id_).is_valid(); }
+  bool is_valid(const ribbon::box2d::Coupling& coupling) const {
+    return grip_id_ && coupling.grip(*grip_id_).is_valid();
+  }
   /// Returns the held place. Precondition: is_valid().
   ribbon::box2d::CordPoint place(const ribbon::box2d::Coupling& coupling) const;
   /// The held point relative to the centre of the body, m.
@@ -54,8 +56,8 @@ class CordHold {
              const PlayerTuning& tuning);
 
   std::optional<ribbon::box2d::GripId> grip_id_;
-  bool can_climb_ = true;                           // the held cord is one of the direct solver
-  bool may_catch_ = true;                           // false from a release until the grab button was up
+  bool can_climb_ = true;  // the held cord is one of the direct solver
+  bool may_catch_ = true;  // false from a release until the grab button was up
   std::optional<ribbon::box2d::CordId> left_cord_;
   int ticks_since_left_ = 0;
   bool climbs_ = false;
