@@ -9,6 +9,7 @@
 #include <string>
 
 #include "game/simulation/recorded_run.h"
+#include "game/simulation/run_header.h"
 #include "tests/game/program.h"
 #include "tests/game/simulation/small_level.h"
 
@@ -174,7 +175,7 @@ TEST(Yard, IsRecordedAndVerified) {
 TEST(Yard, OfALevelWithAFlagIsRefused) {
   const std::string path = test_support::scratch("cheat.replay");
   const Level level = load_level("first_swing");
-  engine::ReplayHeader header = Simulation::replay_header(level);
+  engine::ReplayHeader header = replay_header(level);
   header.settings["yard"] = std::string("rope 500 900 900 900");
   engine::ReplayWriter(path, header).finish();
   RunOptions options;
