@@ -15,7 +15,9 @@ class Pace {
   /// Reads the keys for it. `can_stop`: that of a pause stops the run; else it opens a menu.
   void read_keys(const engine::WindowInput& input, const Settings& settings, bool can_stop);
   /// Returns the number of ticks that are due after a frame. `per_cent`: the speed.
-  int ticks_in(std::int64_t elapsed_ns, int per_cent) { return clock_.advance(elapsed_ns * per_cent / (100 * slowed_)); }
+  int ticks_in(std::int64_t elapsed_ns, int per_cent) {
+    return clock_.advance(elapsed_ns * per_cent / (100 * slowed_));
+  }
 
   void stop() { stopped_ = true; }
   bool is_stopped() const { return stopped_; }

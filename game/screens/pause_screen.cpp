@@ -19,10 +19,10 @@ PauseScreen::PauseScreen(Session& session, PlayScreen& play) : session_(&session
     items.push_back({label});
   };
   add(Item::resume, words::resume);
-  if (play.can_build()) add(Item::build, words::place_things);
+  if (play.played().can_build()) add(Item::build, words::place_things);
   add(Item::restart, words::restart_level);
   add(Item::options, words::options);
-  if (play.is_direct()) {
+  if (play.played().is_direct()) {
     add(Item::quit, words::quit);
   } else {
     add(Item::levels, words::levels);

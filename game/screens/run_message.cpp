@@ -34,7 +34,8 @@ RunMessage message_of(const PlayedRun& played, const Session& session, const Pac
   if (simulation.players() == 2 && !goal && simulation.is_at_flag(0) != simulation.is_at_flag(1))
     return {"", words::one_at_flag};
   if (pace.slowed() > 1) return {"", words::filled(words::slow_motion, {{"factor", std::to_string(pace.slowed())}})};
-  if (hint.is_shown() && !goal) return {"", hint_in_words(played.run().level().hint, session.settings, session.uses_pad)};
+  if (hint.is_shown() && !goal)
+    return {"", hint_in_words(played.run().level().hint, session.settings, session.uses_pad)};
   return {};
 }
 

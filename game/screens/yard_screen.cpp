@@ -78,7 +78,7 @@ YardScreen::YardScreen(Session& session, PlayScreen& play) : session_(&session),
 }
 
 void YardScreen::shown() {
-  play_->begin_building();
+  play_->played().begin_building();
   const Player& player = play_->simulation().player();
   pointer_ = player.position() + Vec2{player.faces_left() ? -2.0 : 2.0, 1.0};
 }
@@ -132,7 +132,7 @@ YardScreen::Chosen YardScreen::choose(int item) {
   if (item == clear) {
     Yard yard = play_->simulation().level().yard;
     yard.things.clear();
-    play_->build(yard);
+    play_->played().build(yard);
   }
   return item == done ? Chosen::done : Chosen::a_tool;
 }
@@ -152,7 +152,7 @@ void YardScreen::move_pointer(const Frame& frame) {
 void YardScreen::use_tool() {
   YardTool::Outcome outcome = tool_.use(pointer_, play_->simulation());
   fault_ = outcome.fault;
-  if (outcome.changed) play_->build(*outcome.changed);
+  if (outcome.changed) play_->played().build(*outcome.changed);
 }
 
 /// A press uses the tool; so does a release after a way with the button down, which gives the second end.

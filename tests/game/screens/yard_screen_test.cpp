@@ -247,14 +247,14 @@ TEST(BuildingElsewhere, IsNotOffered) {
   Session session{"", ""};
   RunOptions options;
   options.level = "first_swing";
-  EXPECT_FALSE(PlayScreen(session, options, false).can_build());
+  EXPECT_FALSE(PlayScreen(session, options, false).played().can_build());
   options.level = "sandbox";
-  EXPECT_TRUE(PlayScreen(session, options, false).can_build());
+  EXPECT_TRUE(PlayScreen(session, options, false).played().can_build());
   options.ticks = 100;
-  EXPECT_FALSE(PlayScreen(session, options, false).can_build());
+  EXPECT_FALSE(PlayScreen(session, options, false).played().can_build());
   RunOptions replay;
   replay.replay = std::string(TEST_ASSETS "/replays/sandbox.replay");
-  EXPECT_FALSE(PlayScreen(session, replay, false).can_build());
+  EXPECT_FALSE(PlayScreen(session, replay, false).played().can_build());
 }
 
 /// A gamepad has no button for the palette: it is in the menu of a pause, which then goes on with the run.
