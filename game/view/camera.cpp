@@ -147,6 +147,7 @@ void Camera::jump_to(const CameraSubject& subject) {
   velocity_ = subject_velocity_;
   now_.height = wanted(subject).height;
   const Place goal = wanted(subject);
+  ground_.reset();
   now_.height = goal.height;
   now_.least = goal.least;
   now_.at = goal.at - (2.0 / stiffness) * velocity_;

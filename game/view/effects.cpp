@@ -50,7 +50,9 @@ Effects::Moving Effects::player(int number) const {
 void Effects::start_again(const CameraSubject& now) {
   camera_ = Camera(simulation_->level().map.size,
                    simulation_->level().hooks);  // the level may have been reloaded with another size
-  camera_.jump_to(now);
+  CameraSubject first = now;
+  if (simulation_->run_ticks() <= 1) first.on_ground = true;  // it will have met the ground in the next tick
+  camera_.jump_to(first);
   particles_.clear();
   trail_.clear();
   fall_.end();

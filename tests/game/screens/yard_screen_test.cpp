@@ -9,6 +9,7 @@
 #include "engine/window/sdl_canvas.h"
 #include "game/screens/pause_screen.h"
 #include "game/screens/play_screen.h"
+#include "game/view/hud.h"
 #include "tests/game/program.h"
 #include "tests/game/screens/text_canvas.h"
 
