@@ -84,6 +84,18 @@ TEST(SecondPointer, IsRefusedAfterAnyChangeToAByte) {
   }
 }
 
+/// A longer record would look like one that is cut short.
+TEST(SecondPointer, AFlagThatIsDamagedIsNoCut) {
+  const std::string header = recorded_with_pointers(0, "flag_header");
+  const std::string one = recorded_with_pointers(1, "flag_of_one");
+  std::string unfinished = one.substr(0, one.size() - end_marker);
+  ASSERT_EQ(parse(unfinished).ticks.size(), 1U);
+  constexpr std::size_t flag_byte = 2;  // of the record
+  char& flag = unfinished[header.size() - end_marker + flag_byte];
+  flag = static_cast<char>(static_cast<unsigned char>(flag) ^ 0x80U);
+  EXPECT_TRUE(says(error_of(unfinished), "the part count and its complement disagree"));
+}
+
 TEST(SecondPointer, CutShortKeepsWholeTicks) {
   const std::string whole = recorded_with_pointers(3, "pointers_cut");
   const std::size_t header = recorded_with_pointers(0, "pointers_header").size() - end_marker;

@@ -87,9 +87,9 @@ TEST(Yard, AThingInAnyDirectionIsBuilt) {
         const PlacedThing placed = thing_at(thing, from, from + span * Vec2{std::cos(angle), std::sin(angle)});
         set_yard(level, {{placed}, {}});
         Simulation simulation(level);
-        run(simulation, 20);
+        run(simulation, 90);
         for (const Vec2 at : simulation.current().cords.at(0)) {
-          ASSERT_LT(length(at - from), 1.2 * span + 1.0) << thing_name(thing) << ' ' << span << ' ' << turn;
+          ASSERT_LT(length(at - from), 1.2 * span + 0.5) << thing_name(thing) << ' ' << span << ' ' << turn;
         }
       }
     }
