@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "ribbon/box2d/crossing.h"
+
 namespace ribbon::box2d {
 namespace {
 
@@ -110,17 +112,6 @@ Vec2 middle(const CoupledCord& cord, const CordShape& shape, int column) {
   const auto rows = static_cast<std::size_t>(shape.rows);
   const std::size_t first = static_cast<std::size_t>(column) * rows;
   return 0.5 * (x[first] + x[first + rows - 1]);
-}
-
-/// Returns the place, 0 … 1 from p to q, where the line from p to q crosses the segment from a to b.
-std::optional<double> crossing(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
-  const double side_p = cross(b - a, p - a);
-  const double side_q = cross(b - a, q - a);
-  if ((side_p < 0.0) == (side_q < 0.0)) return std::nullopt;
-  const double share = side_p / (side_p - side_q);
-  const double along = dot(p + share * (q - p) - a, b - a);
-  if (along < 0.0 || along > dot(b - a, b - a)) return std::nullopt;
-  return share;
 }
 
 /// Returns the inner row of a ribbon that is nearest to a segment on average, if the segment crosses all columns.

@@ -178,6 +178,15 @@ void add_shape(TexturedMesh& mesh, const Mesh& shape, const UvMap& map, Color co
   for (const int i : shape.indices) mesh.indices.push_back(first + i);
 }
 
+void add_rectangle(TexturedMesh& mesh, Vec2 top_left, Vec2 size, Color top, Color bottom, Vec2 uv_end) {
+  const auto first = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.push_back({top_left, {0.0, 0.0}, top});
+  mesh.vertices.push_back({top_left + Vec2{size.x, 0.0}, {uv_end.x, 0.0}, top});
+  mesh.vertices.push_back({top_left + size, uv_end, bottom});
+  mesh.vertices.push_back({top_left + Vec2{0.0, size.y}, {0.0, uv_end.y}, bottom});
+  for (const int corner : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(first + corner);
+}
+
 void add_disc(TexturedMesh& mesh, Vec2 center, double radius, const UvMap& map, Color color) {
   if (!within(center, max_coordinate) || !within(radius, max_coordinate) || radius <= 0.0) return;
   const Profile profile = disc_profile(radius);

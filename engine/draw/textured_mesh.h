@@ -63,6 +63,10 @@ struct UvMap {
 };
 /// Adds the triangles of a shape, which do not overlap: add_convex, add_rounded_rectangle.
 void add_shape(TexturedMesh& mesh, const Mesh& shape, const UvMap& map, Color color);
+/// Adds an upright rectangle, in pixels, whose colours run from `top` to `bottom`, with the part of the image from (0,
+/// 0) to `uv_end` on it.
+void add_rectangle(TexturedMesh& mesh, ribbon::Vec2 top_left, ribbon::Vec2 size, Color top, Color bottom,
+                   ribbon::Vec2 uv_end = {1.0, 1.0});
 /// Adds a disc, in pixels. Adds nothing for numbers that cannot be drawn.
 void add_disc(TexturedMesh& mesh, ribbon::Vec2 center, double radius, const UvMap& map, Color color);
 

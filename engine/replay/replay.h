@@ -25,8 +25,9 @@
 ///        "players": 2, only in a run of two players}
 ///     u32 checksum
 ///     for each tick:
-///       u8 'T' · u16 n, the number of parts, at most 4096 · u16 ~n
+///       u8 'T' · u16 n, the number of parts, at most 4096, plus 32768 if the second player has a pointer · u16 ~n
 ///       u16 buttons · i16 pointer x · i16 pointer y (cm) · in a run of two players: u16 buttons of the second
+///       if the second player has a pointer, only in a run of two: i16 its x · i16 its y (cm)
 ///       n × { u8 subsystem · u16 index · u32 hash }
 ///       u64 combined hash · u32 checksum
 ///     if closed cleanly:
@@ -59,7 +60,7 @@ struct ReplayHeader {
   std::uint64_t level_hash = 0;  ///< hash_bytes() of the level file.
   int tick_rate = 60;            ///< Ticks per second, 1 … 1'000'000.
   std::map<std::string, Setting> settings;
-  int players = 1;  ///< 1 or 2; the buttons of a second one are recorded only in a run of two.
+  int players = 1;  ///< 1 or 2; buttons and pointer of a second one are recorded only in a run of two.
 
   bool operator==(const ReplayHeader&) const = default;
 };

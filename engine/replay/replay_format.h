@@ -14,6 +14,8 @@ inline constexpr int version = 1;
 
 inline constexpr std::size_t max_header_bytes = 65536;  // of the JSON line, including its line feed
 inline constexpr std::size_t max_parts = 4096;
+/// Added to the number of parts if the tick has the pointer of the second player. The complement protects it too.
+inline constexpr std::uint16_t second_pointer_flag = 0x8000;
 inline constexpr int max_tick_rate = 1'000'000;
 inline constexpr int max_players = 2;
 
@@ -24,14 +26,15 @@ inline constexpr std::size_t checksum_bytes = 4;
 inline constexpr std::size_t tick_head_bytes = 1 + 2 + 2;
 inline constexpr std::size_t input_bytes = 6;         // of the first player
 inline constexpr std::size_t second_input_bytes = 2;  // of the second, in a run of two
+inline constexpr std::size_t second_pointer_bytes = 4;
 inline constexpr std::size_t part_bytes = 1 + 2 + 4;
 inline constexpr std::size_t combined_bytes = 8;
 inline constexpr std::size_t end_bytes = 1 + 4 + checksum_bytes;
 
 /// The number of bytes of a tick's record after its head.
-constexpr std::size_t tick_body_bytes(std::size_t parts, int players) {
-  return input_bytes + (players == max_players ? second_input_bytes : 0) + parts * part_bytes + combined_bytes +
-         checksum_bytes;
+constexpr std::size_t tick_body_bytes(std::size_t parts, int players, bool has_second_pointer) {
+  return input_bytes + (players == max_players ? second_input_bytes : 0) +
+         (has_second_pointer ? second_pointer_bytes : 0) + parts * part_bytes + combined_bytes + checksum_bytes;
 }
 
 /// Continues `crc`, the CRC-32 of the bytes so far (0 at the start), with `bytes`. CRC-32 as in zlib and PNG:

@@ -25,12 +25,18 @@ T take(std::span<const std::uint8_t>& bytes) {
   return static_cast<T>(value);
 }
 
-RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_count, int players) {
+RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_count, int players,
+                        bool has_second_pointer) {
   TickInput input;
   input.buttons = take<std::uint16_t>(body);
   input.pointer_x_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
   input.pointer_y_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
   if (players == max_players) input.second_buttons = take<std::uint16_t>(body);
+  input.second_has_pointer = has_second_pointer;
+  if (has_second_pointer) {
+    input.second_pointer_x_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
+    input.second_pointer_y_cm = static_cast<std::int16_t>(take<std::uint16_t>(body));
+  }
   std::vector<ribbon::box2d::StatePart> parts(part_count);
   for (ribbon::box2d::StatePart& part : parts) {
     const auto subsystem = take<std::uint8_t>(body);
@@ -170,18 +176,21 @@ bool Reader::read_record() {
 bool Reader::read_tick() {
   if (!append(tick_head_bytes - 1)) return false;
   auto head = std::span<const std::uint8_t>(record_).subspan(1);
-  const auto count = take<std::uint16_t>(head);
+  const auto flagged = take<std::uint16_t>(head);
   // The count determines the length of the record. Without the complement, a damaged count could look like a record
   // that is cut short.
   const auto complement = take<std::uint16_t>(head);
-  if (complement != static_cast<std::uint16_t>(~count)) fail_record("the part count and its complement disagree");
+  if (complement != static_cast<std::uint16_t>(~flagged)) fail_record("the part count and its complement disagree");
+  const int players = replay_.header.players;
+  const bool has_pointer = players == max_players && (flagged & second_pointer_flag) != 0;
+  const std::size_t count = has_pointer ? flagged - second_pointer_flag : flagged;
   if (count > max_parts) {
     fail_record("the part count is " + std::to_string(count) + ", accepted is up to " + std::to_string(max_parts));
   }
-  if (!append(tick_body_bytes(count, replay_.header.players))) return false;
+  if (!append(tick_body_bytes(count, players, has_pointer))) return false;
   const auto body = checked_content().subspan(tick_head_bytes);
   try {
-    replay_.ticks.push_back(parse_tick(body, count, replay_.header.players));
+    replay_.ticks.push_back(parse_tick(body, count, players, has_pointer));
   } catch (const ReplayError& error) {
     fail_record(error.what());
   }

@@ -57,7 +57,8 @@ void ReplayWriter::write(const TickInput& input, const ribbon::box2d::StateHash&
   }
   if (ticks_ == std::numeric_limits<std::uint32_t>::max()) fail("the replay is full");
 
-  const auto count = static_cast<std::uint16_t>(state.parts().size());
+  const bool has_pointer = has_second_ && input.second_has_pointer;
+  const auto count = static_cast<std::uint16_t>(state.parts().size() | (has_pointer ? second_pointer_flag : 0U));
   record_.clear();
   put(record_, tick_tag);
   put(record_, count);
@@ -66,6 +67,10 @@ void ReplayWriter::write(const TickInput& input, const ribbon::box2d::StateHash&
   put(record_, static_cast<std::uint16_t>(input.pointer_x_cm));
   put(record_, static_cast<std::uint16_t>(input.pointer_y_cm));
   if (has_second_) put(record_, input.second_buttons);
+  if (has_pointer) {
+    put(record_, static_cast<std::uint16_t>(input.second_pointer_x_cm));
+    put(record_, static_cast<std::uint16_t>(input.second_pointer_y_cm));
+  }
   for (const ribbon::box2d::StatePart& part : state.parts()) {
     put(record_, static_cast<std::uint8_t>(part.subsystem));
     put(record_, part.index);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "ribbon/vec2.h"
 
@@ -15,10 +16,13 @@ struct TickInput {
   std::int16_t pointer_x_cm = 0;
   std::int16_t pointer_y_cm = 0;
   std::uint16_t second_buttons = 0;  ///< Those of the second player; a run of one player ignores them.
+  std::int16_t second_pointer_x_cm = 0;
+  std::int16_t second_pointer_y_cm = 0;
+  bool second_has_pointer = false;  ///< Whether the second player has a pointer: it aims with a stick.
 
   bool operator==(const TickInput&) const = default;
 };
-static_assert(sizeof(TickInput) == 8);
+static_assert(sizeof(TickInput) == 14);
 
 /// Rounds a length in metres to whole centimetres (halves away from zero), clamped to −327.68 … 327.67 m. NaN gives 0.
 inline std::int16_t quantise_cm(double metres) {
@@ -36,7 +40,20 @@ inline void set_pointer(TickInput& input, ribbon::Vec2 world) {
   input.pointer_y_cm = quantise_cm(world.y);
 }
 
+/// The same for the pointer of the second player, which it has then.
+inline void set_second_pointer(TickInput& input, ribbon::Vec2 world) {
+  input.second_pointer_x_cm = quantise_cm(world.x);
+  input.second_pointer_y_cm = quantise_cm(world.y);
+  input.second_has_pointer = true;
+}
+
 /// Returns the world position of the pointer, in metres.
 inline ribbon::Vec2 pointer(const TickInput& input) { return {input.pointer_x_cm / 100.0, input.pointer_y_cm / 100.0}; }
+
+/// Returns that of the second player; nothing if it has none.
+inline std::optional<ribbon::Vec2> second_pointer(const TickInput& input) {
+  if (!input.second_has_pointer) return std::nullopt;
+  return ribbon::Vec2{input.second_pointer_x_cm / 100.0, input.second_pointer_y_cm / 100.0};
+}
 
 }  // namespace engine

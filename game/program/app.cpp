@@ -72,7 +72,7 @@ bool App::frame(std::int64_t elapsed_ns) {
   session_.frame_times.add(FrameTimes::Part::whole, engine::now_ns() - start);
   session_.frame_times.end_frame(elapsed_ns);
   window_.present();
-  return direct_ == nullptr || !direct_->ends_program();
+  return direct_ == nullptr || !direct_->played().ends_program();
 }
 
 bool App::update(const engine::WindowInput& input, std::int64_t elapsed_ns) {
@@ -177,7 +177,7 @@ int App::finish() {
   if (bad_ticks_) std::printf("%s\n", bad_ticks_line(*bad_ticks_, options_).c_str());
   if (direct_ == nullptr) return 0;
   std::puts(direct_->run().closing_line().c_str());
-  return direct_->exit_status();
+  return direct_->played().exit_status();
 }
 
 }  // namespace game

@@ -105,11 +105,7 @@ void CardGrid::draw_card(Canvas& canvas, Vec2 at, const GridPlace& place, int ca
   const double width = size.x - 2.0 * frame * unit;
   engine::TexturedMesh mesh;
   const engine::Color tint = shown.picture != nullptr ? style::white : style::night_top;
-  mesh.vertices = {{picture, {0.0, 0.0}, tint},
-                   {picture + Vec2{width, 0.0}, {1.0, 0.0}, tint},
-                   {picture + Vec2{width, 0.5 * width}, {1.0, 1.0}, tint},
-                   {picture + Vec2{0.0, 0.5 * width}, {0.0, 1.0}, tint}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
+  add_rectangle(mesh, picture, {width, 0.5 * width}, tint, tint);
   canvas.textured(mesh, {shown.picture, engine::Filter::linear, engine::Wrap::clamp, engine::Wrap::clamp});
   const double left = picture.x + 3.0 * unit;
   double y = picture.y + 0.5 * width + 2.0 * unit;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "game/screens/card.h"
 #include "game/screens/menu.h"
 #include "game/screens/screen.h"
@@ -23,12 +25,16 @@ class PauseScreen : public Screen {
   Tune tune() const override { return Tune::none; }
 
  private:
-  Next choose(int item);
+  enum class Item : unsigned char { resume, build, restart, options, levels, quit, title };
+
+  Next choose(Item item);
 
   Session* session_;
   PlayScreen* play_;
   Card card_;
   Menu menu_;
+  std::vector<Item> choices_;  // of the lines of the menu
+  bool has_built_ = false;     // and goes on with the run
 };
 
 }  // namespace game

@@ -9,7 +9,8 @@
 #include "game/screens/last_seconds_screen.h"
 #include "game/screens/pause_screen.h"
 #include "game/screens/results_screen.h"
-#include "game/settings/two_players.h"
+#include "game/screens/run_message.h"
+#include "game/screens/yard_screen.h"
 #include "game/simulation/buttons.h"
 #include "game/view/hud.h"
 #include "game/words/words.h"
@@ -41,80 +42,56 @@ bool holds_a_cord(const Simulation& simulation) {
 
 PlayScreen::PlayScreen(Session& session, const RunOptions& options, bool direct)
     : session_(&session),
-      options_(options),
-      direct_(direct),
-      run_(options),
-      view_(run_.simulation()),
+      played_(session, options, direct),
+      view_(played_.run().simulation()),
       race_(session, options.ghost) {
-  race_.check(run_.level());
-  if (options.seek > 0) run_.seek(options.seek);
+  race_.check(run().level());
+  if (options.seek > 0) played_.run().seek(options.seek);
   view_options_.meter = &meter_;
-  if (!run_.has_replay()) level_file_.emplace(run_.level().map.file);
+  if (!run().has_replay()) level_file_.emplace(run().level().map.file);
 }
 
 std::string PlayScreen::title() const {
-  const std::string& name = run_.level().name;
-  return run_.has_replay() ? words::filled(words::screen_replay, {{"level", name}}) : name;
+  const std::string& name = run().level().name;
+  return run().has_replay() ? words::filled(words::screen_replay, {{"level", name}}) : name;
 }
 
 void PlayScreen::shown() {
-  controls_.discard();
-  second_controls_.discard();
+  input_.discard();
   if (std::exchange(started_, true)) return;
-  run_.watch(session_->watcher);
-  run_.use(session_->workers.parallel_for());
-  hint_.begin(run_.level().hint);
-  if (records_runs()) {
-    session_->last_level = run_.level().name;
+  played_.run().watch(session_->watcher);
+  played_.run().use(session_->workers.parallel_for());
+  hint_.begin(run().level().hint);
+  if (played_.records_runs()) {
+    session_->last_level = run().level().name;
     begin_run();
   } else {
-    run_.start_recording();
-    if (!is_plain() || !options_.ghost.empty()) race_.begin(run_.level());
+    played_.start();
+    if (!played_.is_plain() || !played_.options().ghost.empty()) race_.begin(run().level());
   }
 }
 
 /// Starts a new run with a recording of its own and the ghost of the best run.
 void PlayScreen::begin_run() {
-  finish_recording();
-  assisted_ = won_ = false;
-  recording_ = session_->runs.next_path(run_.level().name);
-  if (run_.level_is_tuned()) {
-    recording_.clear();
-  } else if (recording_.empty()) {
-    session_->report_no_recordings();
-  }
-  try {
-    run_.begin(recording_);
-  } catch (const engine::ReplayError& error) {
-    std::fprintf(stderr, "ropeswing: %s\n", error.what());
-    session_->report_no_recordings();
-    recording_.clear();
-  }
-  assisted_ = run_.is_tuned();
-  race_.begin(run_.level());
-}
-
-bool PlayScreen::is_over() const {
-  return run_.is_over() || (options_.ticks && run_.simulation().ticks() >= *options_.ticks);
+  won_ = false;
+  played_.begin();
+  race_.begin(run().level());
 }
 
 bool PlayScreen::is_won() const {
   const auto goal = simulation().goal_ticks();
-  return !is_plain() && goal && simulation().run_ticks() >= *goal + results_delay;
+  return !played_.is_plain() && goal && simulation().run_ticks() >= *goal + results_delay;
 }
 
 Next PlayScreen::update(const Frame& frame) {
   const engine::WindowInput input =
-      panel_.update(frame.input, frame.canvas, frame.text_scale, 1e-9 * static_cast<double>(frame.elapsed_ns), run_,
-                    meter_, session_->frame_times);
-  if (run_.is_tuned()) {
-    assisted_ = true;
-    recording_.clear();  // it ended when the tuning began
-  }
+      panel_.update(frame.input, frame.canvas, frame.text_scale, 1e-9 * static_cast<double>(frame.elapsed_ns),
+                    played_.run(), meter_, session_->frame_times);
+  played_.notice_tuning();
   reload_if_changed(frame.elapsed_ns);
   if (panel_.takes_restart()) restart();
   if (const Preset* const preset = panel_.takes_comparison()) {
-    return Next::open(std::make_unique<LastSecondsScreen>(*session_, run_.level(), run_.inputs(), *preset));
+    return Next::open(std::make_unique<LastSecondsScreen>(*session_, run().level(), run().inputs(), *preset));
   }
   return play({input, frame.menu, frame.canvas, frame.elapsed_ns, frame.text_scale});
 }
@@ -124,13 +101,12 @@ void PlayScreen::reload_if_changed(std::int64_t elapsed_ns) {
   if (!level_file_ || !level_file_->poll(elapsed_ns)) return;
   try {
     Level level = load_level(level_file_->path());
-    if (level.map.content_hash == run_.level().map.content_hash) return;  // written by the panel
-    level.assists = run_.level().assists;
-    run_.set_level(std::move(level), false);
+    if (level.map.content_hash == run().level().map.content_hash) return;  // written by the panel
+    level.assists = run().level().assists;
+    set_yard(level, yard_of(yard_text(run().level().yard), level).value_or(Yard{}));
+    played_.set_level(std::move(level), false);
     session_->notice.show(words::level_reloaded);
     restart();
-  } catch (const engine::ReplayError& error) {
-    report_recording_failure(error);
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "ropeswing: %s\n", error.what());
     session_->notice.show(error.what());
@@ -138,84 +114,76 @@ void PlayScreen::reload_if_changed(std::int64_t elapsed_ns) {
 }
 
 Next PlayScreen::play(const Frame& frame) {
-  if (is_plain() && (frame.input.pressed(engine::Key::escape) || frame.input.pressed(engine::PadButton::b))) {
-    return direct_ ? Next::quit() : Next::back();
+  const engine::WindowInput& input = frame.input;
+  if (played_.is_plain() && (input.pressed(engine::Key::escape) || input.pressed(engine::PadButton::b))) {
+    return played_.is_direct() ? Next::quit() : Next::back();
   }
   if (wants_pause(frame)) return Next::open(std::make_unique<PauseScreen>(*session_, *this));
+  if (played_.can_build() && session_->settings.bindings.pressed(Action::palette, input))
+    return Next::open(std::make_unique<YardScreen>(*session_, *this));
   handle_keys(frame);
-  const ribbon::Vec2 mouse = frame.canvas.to_world(frame.input.mouse);
-  take_controls(frame.input, mouse);
+  const bool dragging = view_options_.debug || run().level().sandbox;
+  input_.take(input, session_->settings, frame.canvas.to_world(input.mouse), dragging, simulation().players());
   const int ticks = ticks_to_run(frame);
   for (int k = 0; k < ticks && !is_over(); ++k) tick();
   if (frame.elapsed_ns > 0) race_.advance(ticks, simulation().run_ticks());  // once a frame
   if (!is_won()) {
     won_ = false;  // restarted
   } else if (!std::exchange(won_, true)) {
-    if (records_runs()) finish_recording();
+    if (played_.records_runs()) played_.finish();
     return Next::open(std::make_unique<ResultsScreen>(*session_, *this));
   }
   return Next::stay();
 }
 
 bool PlayScreen::wants_pause(const Frame& frame) const {
-  if (is_plain()) return false;
+  if (played_.is_plain()) return false;
   const bool lost = frame.input.pad_lost && session_->uses_pad;
   const bool fixed = frame.input.pressed(engine::Key::escape);  // with any bindings
-  if (frame.input.focus_lost && !stopped_) return true;
-  return lost || fixed || (!stopped_ && session_->settings.bindings.pressed(Action::pause, frame.input));
-}
-
-/// Reads the controls of the player, or of both, each with its half of the keyboard and its gamepad.
-void PlayScreen::take_controls(const engine::WindowInput& input, ribbon::Vec2 mouse) {
-  const Settings& settings = session_->settings;
-  const bool dragging = view_options_.debug || run_.level().sandbox;
-  if (simulation().players() == 1) return controls_.take(input, settings, mouse, dragging);
-  controls_.take(input_of(0, input), bindings_of(0, settings), settings.toggle_grab, mouse, dragging);
-  second_controls_.take(input_of(1, input), bindings_of(1, settings), settings.toggle_grab, mouse, false);
-}
-
-engine::TickInput PlayScreen::next_input() {
-  engine::TickInput input = controls_.next(simulation().player().hand());
-  if (simulation().players() == 2) input.second_buttons = second_controls_.next(simulation().player(1).hand()).buttons;
-  input.buttons &= static_cast<std::uint16_t>(~button_restart);
-  input.second_buttons &= static_cast<std::uint16_t>(~button_restart);
-  return input;
+  const bool runs = !pace_.is_stopped();
+  if (frame.input.focus_lost && runs) return true;
+  return lost || fixed || (runs && session_->settings.bindings.pressed(Action::pause, frame.input));
 }
 
 void PlayScreen::handle_keys(const Frame& frame) {
   Settings& settings = session_->settings;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
-  if (pressed(Action::pause)) stopped_ = is_plain() && !stopped_;
-  if (pressed(Action::step)) stopped_ = true;
-  if (pressed(Action::slow_motion)) slowed_ = slowed_ == 4 ? 1 : 2 * slowed_;
+  pace_.read_keys(frame.input, settings, played_.is_plain());
   if (pressed(Action::help)) settings.help = !settings.help;
   if (pressed(Action::debug_view)) view_options_.debug = !view_options_.debug;
   if (pressed(Action::panel)) panel_.toggle();
-  if (pressed(Action::restart) && !run_.has_replay()) restart();
+  if (pressed(Action::restart) && !run().has_replay()) restart();
 }
 
 int PlayScreen::ticks_to_run(const Frame& frame) {
   const Settings& settings = session_->settings;
-  const int speed = run_.has_replay() ? 100 : settings.speed;
-  const int due = clock_.advance(frame.elapsed_ns * speed / (100 * slowed_));
-  if (!stopped_) return due;
+  const int due = pace_.ticks_in(frame.elapsed_ns, run().has_replay() ? 100 : settings.speed);
+  if (!pace_.is_stopped()) return due;
   const auto pressed = [&](Action action) { return settings.bindings.pressed(action, frame.input); };
   if (pressed(Action::step) || pressed(Action::restart)) return 1;  // a restart needs a tick to be visible
-  second_controls_.discard_presses();
-  controls_.discard_presses();  // presses while the run is stopped do not count later
+  input_.discard_presses();  // presses while the run is stopped do not count later
   return 0;
 }
 
 void PlayScreen::step() {
-  stopped_ = true;
+  pace_.stop();
   if (!is_over()) tick();
 }
 
+void PlayScreen::end_building() {
+  input_.discard();
+  begin_run();
+}
+
+/// Goes back to the start of the level, also after building elsewhere.
 void PlayScreen::restart() {
-  controls_.discard();
-  second_controls_.discard();
-  hint_.begin(run_.level().hint);
-  if (records_runs()) {
+  if (Yard yard = run().level().yard; yard.start && played_.can_build()) {
+    yard.start.reset();
+    played_.build(yard);
+  }
+  input_.discard();
+  hint_.begin(run().level().hint);
+  if (played_.records_runs()) {
     begin_run();
   } else {
     restart_wanted_ = true;
@@ -223,67 +191,24 @@ void PlayScreen::restart() {
 }
 
 void PlayScreen::tick() {
-  engine::TickInput input = next_input();
+  engine::TickInput input = input_.next(simulation());
   if (std::exchange(restart_wanted_, false)) {
     input.buttons |= button_restart;
-    assisted_ = false;
+    played_.mark_assisted(false);
   }
-  const bool helped = slowed_ > 1 || stopped_ || session_->settings.speed < 100 || options_.assists.any();
-  if (helped || (input.buttons & button_drag) != 0) assisted_ = true;
-  run_.estimate_errors(view_options_.debug && meter_.wants_estimate());
+  const bool helped = !pace_.is_usual() || session_->settings.speed < 100 || played_.options().assists.any();
+  if (helped || (input.buttons & button_drag) != 0) played_.mark_assisted();
+  played_.run().estimate_errors(view_options_.debug && meter_.wants_estimate());
   const std::int64_t start = engine::now_ns();
   const int falls = simulation().falls();
-  try {
-    run_.tick(input);
-  } catch (const engine::ReplayError& error) {  // thrown once; the run continues without a recording
-    report_recording_failure(error);
-  }
+  played_.tick(input);
   const std::int64_t took = engine::now_ns() - start;
-  meter_.add(run_.simulation(), took);
+  meter_.add(simulation(), took);
   session_->frame_times.add(FrameTimes::Part::physics, took);
-  if (simulation().falls() > falls) {
-    controls_.ignore_held();
-    second_controls_.ignore_held();
-  }
-  race_.tick(run_.simulation());
-  hint_.tick(static_cast<std::uint16_t>(input.buttons | input.second_buttons), holds_a_cord(run_.simulation()));
-  session_->sounds.tick(run_.simulation());
-}
-
-void PlayScreen::report_recording_failure(const engine::ReplayError& error) {
-  std::fprintf(stderr, "ropeswing: %s\n", error.what());
-  recording_.clear();  // it is incomplete
-  if (records_runs()) return session_->report_no_recordings();
-  recording_failed_ = true;
-}
-
-void PlayScreen::choose_message() {
-  const auto set = [this](std::string headline, std::string below) {
-    view_options_.headline = std::move(headline);
-    view_options_.below = std::move(below);
-  };
-  const auto key = [this](Action action) {
-    return codes_in_words(session_->settings.bindings, action, session_->uses_pad, 1);
-  };
-  const std::string leave = session_->uses_pad ? words::leave_button : words::leave_key;
-  if (is_over() && options_.verify) {
-    const bool same = run_.exit_status() == 0;
-    return set(same ? words::verified : words::differs,
-               words::filled(words::two_parts, {{"first", run_.closing_line()}, {"second", leave}}));
-  }
-  if (is_over()) return set(words::end_of_recording, leave);
-  const auto goal = simulation().goal_ticks();
-  if (stopped_) {
-    return set(words::stopped,
-               words::filled(words::stopped_keys, {{"pause", key(Action::pause)}, {"step", key(Action::step)}}));
-  }
-  if (goal && !won_) return set(words::made_it, words::filled(words::made_it_in, {{"time", seconds_in_words(*goal)}}));
-  if (run_.has_replay()) return set("", "");
-  if (simulation().players() == 2 && !goal && simulation().is_at_flag(0) != simulation().is_at_flag(1))
-    return set("", words::one_at_flag);
-  const std::string hint = hint_in_words(run_.level().hint, session_->settings, session_->uses_pad);
-  if (slowed_ == 1 && hint_.is_shown() && !goal) return set("", hint);
-  set("", slowed_ == 1 ? "" : words::filled(words::slow_motion, {{"factor", std::to_string(slowed_)}}));
+  if (simulation().falls() > falls) input_.ignore_held();
+  race_.tick(simulation());
+  hint_.tick(static_cast<std::uint16_t>(input.buttons | input.second_buttons), holds_a_cord(simulation()));
+  session_->sounds.tick(simulation());
 }
 
 void PlayScreen::draw(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, true); }
@@ -291,18 +216,28 @@ void PlayScreen::draw(engine::Canvas& canvas, double text_scale) { draw_run(canv
 /// Draws the run without texts over it.
 void PlayScreen::draw_below(engine::Canvas& canvas, double text_scale) { draw_run(canvas, text_scale, false); }
 
-/// Chooses what the HUD says, and where it may be: beside the panel, if that is shown at an edge.
-void PlayScreen::fill_hud(const engine::Canvas& canvas, double text_scale) {
+/// Chooses the lines that explain the keys.
+void PlayScreen::choose_keys() {
   const Settings& settings = session_->settings;
   const bool for_two = simulation().players() == 2;
   const bool pad = session_->uses_pad;
-  keys_ = run_.has_replay()          ? std::vector<std::string>{words::replay_controls}
+  keys_ = run().has_replay()         ? std::vector<std::string>{words::replay_controls}
           : settings.help && for_two ? help_lines_for_two(settings, pad)
           : settings.help            ? help_lines(settings, pad)
                                      : help_line(settings, pad);
-  choose_message();
+  if (!played_.can_build() || settings.help || pad) return;
+  const std::string key = codes_in_words(settings.bindings, Action::palette, false, 1);
+  keys_.push_back(words::filled(words::build_key, {{"key", key}}));
+}
+
+/// Chooses what the HUD says, and where it may be: beside the panel, if that is shown at an edge.
+void PlayScreen::fill_hud(const engine::Canvas& canvas, double text_scale) {
+  choose_keys();
+  RunMessage message = message_of(played_, *session_, pace_, hint_, won_);
+  view_options_.headline = std::move(message.headline);
+  view_options_.below = std::move(message.below);
   view_options_.keys = &keys_;
-  notice_ = recording_failed_ ? words::recording_stopped : session_->notice.text();
+  notice_ = played_.recording_failed() ? words::recording_stopped : session_->notice.text();
   view_options_.notice = notice_.c_str();
   view_options_.text_scale = text_scale;
   view_options_.panel = view_options_.free = {};
@@ -317,14 +252,14 @@ void PlayScreen::draw_run(engine::Canvas& canvas, double text_scale, bool with_h
   const Settings& settings = session_->settings;
   view_options_.hud = with_hud;
   fill_hud(canvas, text_scale);
-  view_options_.signs = signs_in_words(run_.level(), settings, session_->uses_pad);
+  view_options_.signs = signs_in_words(run().level(), settings, session_->uses_pad);
   view_options_.reduced_motion = settings.reduced_motion;
   view_options_.colour_safe = settings.colour_safe;
   view_options_.strain_tint = settings.strain_tint;
   view_options_.ghost = race_.ghost_at(simulation().run_ticks());
   view_options_.second_ghost = race_.ghost_at(simulation().run_ticks(), 1);
   view_options_.split = race_.message();
-  view_.draw(canvas, stopped_ || is_over() ? 1.0 : clock_.alpha(), view_options_);
+  view_.draw(canvas, pace_.is_stopped() || is_over() ? 1.0 : pace_.alpha(), view_options_);
   if (with_hud) panel_.draw(canvas);
   session_->frame_times.add(FrameTimes::Part::drawing, engine::now_ns() - start);
 }
@@ -333,14 +268,6 @@ double PlayScreen::free_side(const engine::Canvas& canvas) const {
   return canvas.to_pixels(simulation().player().position()).x < 0.5 * canvas.width() ? 1.0 : -1.0;
 }
 
-void PlayScreen::finish_recording() {
-  try {
-    run_.finish();
-  } catch (const engine::ReplayError& error) {
-    report_recording_failure(error);
-  }
-}
-
-void PlayScreen::leave() { finish_recording(); }
+void PlayScreen::leave() { played_.finish(); }
 
 }  // namespace game

@@ -50,10 +50,10 @@ std::string next_medal_in_words(const Level& level, const Best& run) {
 
 ResultsScreen::ResultsScreen(Session& session, PlayScreen& play) : session_(&session), play_(&play) {
   const Level& level = play.run().level();
-  const Best run{*play.simulation().goal_ticks(), play.is_assisted(), play.race().splits()};
+  const Best run{*play.simulation().goal_ticks(), play.played().is_assisted(), play.race().splits()};
   const auto before = session.records.best(level_key(level));
   std::string error;
-  const bool is_best = session.records.offer(level_key(level), run, play.own_recording(), error);
+  const bool is_best = session.records.offer(level_key(level), run, play.played().own_recording(), error);
   if (!error.empty()) session.notice.show(error);
   fill_card(run, before, is_best);
   fill_menu();
@@ -93,18 +93,18 @@ void ResultsScreen::fill_menu() {
     meanings_.push_back(meaning);
     items.push_back({label});
   };
-  if (!play_->is_direct()) next_ = level_after(play_->run().level().name);
+  if (!play_->played().is_direct()) next_ = level_after(play_->run().level().name);
   if (!next_.empty()) add(next_level, words::next_level);
   add(again, words::retry);
-  if (!play_->own_recording().empty()) add(watch, words::watch_run);
-  if (!play_->is_direct()) add(levels, words::levels);
-  if (play_->is_direct()) add(quit, words::quit);
+  if (!play_->played().own_recording().empty()) add(watch, words::watch_run);
+  if (!play_->played().is_direct()) add(levels, words::levels);
+  if (play_->played().is_direct()) add(quit, words::quit);
   menu_.set_items(std::move(items));
 }
 
 Next ResultsScreen::update(const Frame& frame) {
   if (session_->settings.bindings.pressed(Action::restart, frame.input)) return choose(again);
-  if (frame.menu.back) return choose(play_->is_direct() ? again : levels);
+  if (frame.menu.back) return choose(play_->played().is_direct() ? again : levels);
   const MenuPlace place = menu_place(frame.canvas, frame.text_scale, card_, static_cast<int>(menu_.items().size()));
   const auto choice = menu_.update(frame.menu, place);
   return choice ? choose(meanings_[static_cast<std::size_t>(choice->item)]) : Next::stay();
@@ -112,8 +112,8 @@ Next ResultsScreen::update(const Frame& frame) {
 
 Next ResultsScreen::watch_recording() {
   RunOptions options;
-  options.level = play_->options().level.value_or(play_->run().level().name);
-  options.replay = play_->own_recording();
+  options.level = play_->played().options().level.value_or(play_->run().level().name);
+  options.replay = play_->played().own_recording();
   options.verify = true;
   try {
     return Next::open(std::make_unique<PlayScreen>(*session_, options, false));

@@ -36,6 +36,7 @@ constexpr std::array<Row, action_count> table = {{
     {Action::help, "help", words::do_help, 0},
     {Action::debug_view, "debug_view", words::do_debug_view, 0},
     {Action::panel, "panel", words::do_panel, 0},
+    {Action::palette, "palette", words::do_palette, 0},
     {Action::mute, "mute", words::do_mute, 0},
     {Action::fullscreen, "fullscreen", words::do_fullscreen, 0},
     {Action::film, "film", words::do_film, 0},

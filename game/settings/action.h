@@ -29,6 +29,7 @@ enum class Action : std::uint8_t {
   help,
   debug_view,
   panel,
+  palette,
   mute,
   fullscreen,
   film,

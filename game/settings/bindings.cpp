@@ -39,6 +39,7 @@ Bindings Bindings::defaults() {
   bind(Action::help, {Key::f1, Key::h});
   bind(Action::debug_view, {Key::f3});
   bind(Action::panel, {Key::f2});
+  bind(Action::palette, {Key::b});
   bind(Action::mute, {Key::m});
   bind(Action::fullscreen, {Key::f11});
   bind(Action::film, {Key::f10});

@@ -19,8 +19,8 @@ std::uint16_t without(std::uint16_t buttons, unsigned less) { return static_cast
 
 }  // namespace
 
-void Controls::take(const WindowInput& input, const Bindings& bindings, bool toggles_grab, ribbon::Vec2 mouse,
-                    bool dragging) {
+void Controls::take(const WindowInput& input, const Bindings& bindings, bool toggles_grab,
+                    std::optional<ribbon::Vec2> mouse, bool dragging) {
   held_ = 0;
   for (const Action action : all_actions()) {
     for (const InputCode& code : bindings.codes(action)) {
@@ -56,11 +56,16 @@ void Controls::toggle_grab(bool wanted) {
   held_ = grabs_ ? with(held_, button_grab) : without(held_, button_grab);
 }
 
-void Controls::take_aim(const WindowInput& input, ribbon::Vec2 mouse) {
+void Controls::take_aim(const WindowInput& input, std::optional<ribbon::Vec2> mouse) {
   mouse_ = mouse;
   const double deflection = length(input.right_stick);
   if (deflection > aim_threshold) stick_ = (1.0 / deflection) * input.right_stick;
-  if (input.mouse_moved || input.buttons_pressed.any() || input.pad_lost) stick_.reset();
+  const bool uses_mouse = mouse && (input.mouse_moved || input.buttons_pressed.any());
+  if (uses_mouse || input.pad_lost) stick_.reset();
+}
+
+std::optional<ribbon::Vec2> Controls::pointer(ribbon::Vec2 hand) const {
+  return stick_ ? hand + pad_aim * *stick_ : mouse_;
 }
 
 engine::TickInput Controls::next(ribbon::Vec2 hand) {
@@ -73,7 +78,7 @@ engine::TickInput Controls::next(ribbon::Vec2 hand) {
     tick.buttons = with(tick.buttons, button_of(action));
     --left;
   }
-  engine::set_pointer(tick, stick_ ? hand + pad_aim * *stick_ : mouse_);
+  if (const auto at = pointer(hand)) engine::set_pointer(tick, *at);
   return tick;
 }
 

@@ -1,4 +1,5 @@
 #include "game/simulation/ghost.h"
+#include "game/simulation/run_header.h"
 
 #include <utility>
 
@@ -24,8 +25,8 @@ Ghost::Ghost(engine::Replay replay, Level level)
 std::unique_ptr<Ghost> Ghost::open(const std::string& path, const Level& level) {
   engine::Replay replay = engine::load_replay(path);
   Level same = level;
-  Simulation::take_assists(same, replay.header);
-  engine::check_header(replay.header, Simulation::replay_header(same));
+  take_settings(same, replay.header);
+  engine::check_header(replay.header, replay_header(same));
   return std::unique_ptr<Ghost>(new Ghost(std::move(replay), std::move(same)));
 }
 

@@ -11,6 +11,7 @@
 #include "game/simulation/assists.h"
 #include "game/simulation/level_rules.h"
 #include "game/simulation/place.h"
+#include "game/simulation/yard.h"
 
 namespace game {
 
@@ -55,6 +56,7 @@ struct Level {
   std::vector<ribbon::Vec2> hooks;  ///< m, targets for a thrown line
   std::vector<Sign> signs;
   LevelRules rules;
+  Yard yard;  ///< what the player has placed in a sandbox; set_yard() changes it
 
   /// The number of players, 1 or 2.
   int players() const { return second ? 2 : 1; }

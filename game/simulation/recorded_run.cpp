@@ -1,4 +1,5 @@
 #include "game/simulation/recorded_run.h"
+#include "game/simulation/run_header.h"
 
 #include <utility>
 
@@ -21,8 +22,8 @@ Level level_for(const RunOptions& options, const std::optional<engine::Replay>& 
     throw engine::MapError(std::string(error.what()) + "; the replay is of that level: give its map with --level");
   }
   level.assists = options.assists;
-  if (replay) Simulation::take_assists(level, replay->header);
-  if (replay) engine::check_header(replay->header, Simulation::replay_header(level));
+  if (replay) take_settings(level, replay->header);
+  if (replay) engine::check_header(replay->header, replay_header(level));
   return level;
 }
 
@@ -37,7 +38,7 @@ RecordedRun::RecordedRun(const RunOptions& options)
 }
 
 void RecordedRun::start_recording() {
-  if (!record_path_.empty()) writer_.emplace(record_path_, Simulation::replay_header(level_));
+  if (!record_path_.empty()) writer_.emplace(record_path_, replay_header(level_));
 }
 
 void RecordedRun::begin(const std::string& record_path) {

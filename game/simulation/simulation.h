@@ -1,18 +1,16 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <tuple>
-#include <vector>
 
-#include "engine/replay/replay.h"
 #include "engine/tick/input.h"
 #include "game/simulation/drag.h"
 #include "game/simulation/level.h"
 #include "game/simulation/player.h"
+#include "game/simulation/players.h"
 #include "game/simulation/rules.h"
+#include "game/simulation/run_progress.h"
 #include "game/simulation/saved_tick.h"
 #include "game/simulation/snapshot.h"
 #include "game/simulation/target.h"
@@ -29,7 +27,7 @@ using Mover = std::function<void(double dt)>;
 using MakeMover = std::function<Mover(engine::Scene& scene, Player& player)>;
 
 /// A run of a level by one player or two: a function of the level and the inputs of the ticks only.
-class Simulation {
+class Simulation : public RunProgress {
  public:
   /// Stores a reference to the level. `make_mover` replaces Scene::tick, to compare another method with the cords. Such
   /// a run cannot be recorded or drawn: its hash and snapshots stay those of the start.
@@ -56,13 +54,12 @@ class Simulation {
   void watch(ribbon::box2d::StepWatcher* watcher);
   /// Steps the cords of this scene and of later ones in parallel: ribbon::box2d::Coupling::use.
   void use(const ribbon::ParallelFor& parallel_for);
-  const Player& player() const { return *players_[0]; }
-  Player& player() { return *players_[0]; }  ///< recordings do not include changes of it
   /// The first player (0) or the second one (1) of `players`.
-  const Player& player(int number) const { return *players_[static_cast<std::size_t>(number)]; }
+  const Player& player(int number = 0) const { return players_[number]; }
+  Player& player() { return players_[0]; }           ///< recordings do not include changes of it
   int players() const { return level_->players(); }  ///< 1 or 2
   /// The rope between the players; nothing if there is none.
-  const std::optional<Tether>& tether() const { return tether_; }
+  const std::optional<Tether>& tether() const { return players_.tether(); }
   /// Whether that player touches the flag, where it waits for the other.
   bool is_at_flag(int number) const;
   /// After a fall, cords and bodies stay as they are, until a restart: the scene was changed by hand.
@@ -70,56 +67,27 @@ class Simulation {
   const ribbon::box2d::StateHash& hash() const { return hash_; }  ///< after the last tick
   const Snapshot& previous() const { return previous_; }          ///< before the last tick
   const Snapshot& current() const { return current_; }            ///< after the last tick
-  int ticks() const { return ticks_; }                            ///< since the start
-  int run_ticks() const { return run_ticks_; }                    ///< since the last restart
-  int falls() const { return falls_; }                            ///< out of the level, since the last restart
-  std::optional<int> goal_ticks() const { return goal_ticks_; }   ///< run_ticks() when the goal was reached
-  int last_fallen() const { return last_fall_.player; }           ///< the player that fell last
-  bool died() const { return last_fall_.is_death; }               ///< by a danger, not out of the level
-  /// The last checkpoint of the level that the player entered; it returns there after a fall.
-  std::optional<std::size_t> checkpoint() const { return checkpoint_; }
-  int coins() const { return rules_.coins(); }  ///< collected since the last restart
+  int coins() const { return rules_.coins(); }                    ///< collected since the last restart
   const Rules& rules() const { return rules_; }
   const Drag& drag() const { return drag_; }
   /// What a line of a player would be thrown at now.
-  const std::optional<Target>& target(int number = 0) const {
-    return seats_[static_cast<std::size_t>(number)].targets.thrown;
-  }
-
-  /// Returns the header of a replay of this level.
-  static engine::ReplayHeader replay_header(const Level& level);
-  /// Sets the assists of the level to those that the replay declares.
-  static void take_assists(Level& level, const engine::ReplayHeader& header);
+  const std::optional<Target>& target(int number = 0) const { return players_.seat(number).targets.thrown; }
 
  private:
   void restart();
-  void make_players();
   void apply(int number, std::uint16_t buttons, unsigned pressed, std::optional<ribbon::Vec2> pointer);
   void follow_lines();
-  void reel_tether(const engine::TickInput& input);
-  bool drop_load(const Player& player);
   void put_players_back();
-  void hold_buttons();
   void put_at(ribbon::Vec2 first, ribbon::Vec2 second);
-  std::uint16_t buttons_after_goal(const Player& player) const;
   void check_players();
-  void update_foothold(int number);
-  void add_to(ribbon::box2d::Hasher& game, int number) const;
   void compute_hash();
-  /// Returns references to what SavedTick::Progress has.
-  template <typename Self>
-  static auto progress_of(Self& self) {
-    return std::tie(self.drag_, self.checkpoint_, self.seats_, self.ticks_, self.run_ticks_, self.falls_,
-                    self.last_fall_, self.goal_ticks_);
-  }
 
   const Level* level_;
   MakeMover make_mover_;
   ribbon::box2d::StepWatcher* watcher_ = nullptr;
   ribbon::ParallelFor parallel_for_;
   std::unique_ptr<engine::Scene> scene_;
-  std::array<std::unique_ptr<Player>, 2> players_;  // the second one is null in a run of one
-  std::optional<Tether> tether_;
+  Players players_;
   Mover move_;
   Snapshot previous_;
   Snapshot current_;
@@ -128,13 +96,6 @@ class Simulation {
   Rules rules_;
   SavedTick start_;             // what cords and bodies return to after a fall
   bool keeps_changes_ = false;  // and they do not
-  std::optional<std::size_t> checkpoint_;
-  std::array<Seat, 2> seats_;
-  int ticks_ = 0;
-  int run_ticks_ = 0;
-  int falls_ = 0;
-  LastFall last_fall_;
-  std::optional<int> goal_ticks_;
   int restarts_ = 0;
 };
 

@@ -9,8 +9,6 @@ namespace {
 
 using ribbon::Vec2;
 
-Vec2 between(Vec2 from, Vec2 to, double t) { return from + t * (to - from); }
-
 /// Returns the solutions of c0 + c1·t + c2·t² = 0, in rising order; NaN for those that do not exist.
 std::array<double, 2> roots(double c0, double c1, double c2) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -40,17 +38,6 @@ std::optional<Meeting> first_meeting(Vec2 p_from, Vec2 p_to, const Segment& from
 }
 
 }  // namespace
-
-std::optional<double> crossing(const Segment& segment, const Segment& edge) {
-  const Vec2 along = edge.b - edge.a;
-  const double side_a = cross(along, segment.a - edge.a);
-  const double side_b = cross(along, segment.b - edge.a);
-  if ((side_a < 0.0) == (side_b < 0.0)) return std::nullopt;
-  const double share = side_a / (side_a - side_b);
-  const double place = dot(between(segment.a, segment.b, share) - edge.a, along);
-  if (place < 0.0 || place > dot(along, along)) return std::nullopt;
-  return share;
-}
 
 std::optional<Meeting> swept_crossing(const Segment& from, const Segment& to, const Segment& edge_from,
                                       const Segment& edge_to) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ribbon/box2d/crossing.h"
 #include "ribbon/vec2.h"
 
 namespace game {
@@ -13,7 +14,9 @@ struct Segment {
 };
 
 /// Returns the place, 0 … 1 from `a` to `b`, where a segment crosses an edge.
-std::optional<double> crossing(const Segment& segment, const Segment& edge);
+inline std::optional<double> crossing(const Segment& segment, const Segment& edge) {
+  return ribbon::box2d::crossing(segment.a, segment.b, edge.a, edge.b);
+}
 
 /// When and where a moving segment meets something.
 struct Meeting {

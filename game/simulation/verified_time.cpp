@@ -6,6 +6,7 @@
 #include "engine/replay/replay.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/level.h"
+#include "game/simulation/run_header.h"
 #include "game/simulation/simulation.h"
 
 namespace game {
@@ -43,8 +44,8 @@ void run_again(const engine::Replay& replay, VerifiedTime& time, const std::func
   Level level = load_level(replay.header.level);
   time.title = level.title;
   time.number = level.number;
-  Simulation::take_assists(level, replay.header);
-  engine::check_header(replay.header, Simulation::replay_header(level));
+  take_settings(level, replay.header);
+  engine::check_header(replay.header, replay_header(level));
   Simulation simulation(level);
   engine::ReplayVerifier verifier(replay);
   BestTime best(time);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/smoothstep.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -65,12 +66,6 @@ Strain largest_strain(const ribbon::box2d::Coupling& coupling) {
 ribbon::box2d::CordId last_cord(const ribbon::box2d::Coupling& coupling) {
   const auto ids = coupling.cords();
   return ids.empty() ? -1 : ids.back();
-}
-
-/// The smoothstep function of x clamped to 0 … 1.
-double smooth(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
 }
 
 }  // namespace
@@ -208,7 +203,7 @@ void CueDetector::detect_held_cord(const Simulation& simulation) {
   if (variation_ < creak_change || since_creak_ < min_creak_ticks) return;
   variation_ = 0.0;
   since_creak_ = 0;
-  add(simulation, Noise::creak, 0.15 + 0.6 * smooth(tension / full_creak), rises ? 1.06 : 0.92);
+  add(simulation, Noise::creak, 0.15 + 0.6 * engine::smoothstep(0.0, 1.0, tension / full_creak), rises ? 1.06 : 0.92);
 }
 
 /// A rope that is near its breaking force creaks, the more often and the louder the nearer it is.
@@ -229,7 +224,7 @@ void CueDetector::detect_line(const Simulation& simulation) {
   if (arrives) cues_.push_back({Noise::hook, from(simulation, line.end(), 0.8, 1.0)});
   const bool is_held = line.state() == Line::State::held && !arrives;
   const double speed = is_held ? std::abs(line.length() - line_length_) * ticks_per_second : 0.0;  // m/s
-  reel_ = from(simulation, simulation.player(player_).position(), 0.6 * smooth(speed / 2.0),
+  reel_ = from(simulation, simulation.player(player_).position(), 0.6 * engine::smoothstep(0.0, 1.0, speed / 2.0),
                0.8 + 0.2 * std::min(speed, 5.0));
   line_ = line.state();
   line_length_ = line.length();
@@ -261,7 +256,8 @@ void CueDetector::detect_progress(const Simulation& simulation) {
 
 void CueDetector::detect_wind(const Simulation& simulation) {
   const double speed = length(simulation.scene().coupling().body(simulation.player(player_).body()).velocity());
-  const double strength = on_ground_ ? 0.0 : smooth((speed - min_wind_speed) / (full_wind_speed - min_wind_speed));
+  const double strength =
+      on_ground_ ? 0.0 : engine::smoothstep(0.0, 1.0, (speed - min_wind_speed) / (full_wind_speed - min_wind_speed));
   gust_ += 0.2 * (0.75 * strength - gust_);
   wind_ = from(simulation, simulation.player(player_).position(), gust_,
                0.75 + 0.9 * std::min(1.0, speed / full_wind_speed));

@@ -147,6 +147,10 @@ void TuningPanel::show_cord(const engine::Scene& scene, ribbon::box2d::CordId co
     ImGui::TextWrapped(words::panel::own_line);
     return;
   }
+  if (is_placed(object)) {
+    ImGui::TextWrapped(words::panel::placed);
+    return;
+  }
   for (const Switch& option : switches_of(scene.coupling(), cord)) {
     bool on = option.value(scene.coupling(), cord);
     if (ImGui::Checkbox(option.property, &on)) change_ = Change{object, option.property, on};
@@ -199,7 +203,9 @@ void TuningPanel::apply_change(RecordedRun& run) {
     if (std::exchange(wants_file_, false)) {
       tuned_.reset();
       player_.reset();
-      run.set_level(load_level(run.level().map.file), false);
+      Level level = load_level(run.level().map.file);
+      set_yard(level, run.level().yard);
+      run.set_level(std::move(level), false);
       wants_restart_ = true;
     }
     if (const auto change = std::exchange(change_, std::nullopt)) {
@@ -211,7 +217,9 @@ void TuningPanel::apply_change(RecordedRun& run) {
       } else {
         tuned_->remove(change->object, change->property, scene);
       }
-      run.set_level(tuned_->level(), tuned_->is_changed());
+      Level level = tuned_->level();
+      set_yard(level, run.level().yard);
+      run.set_level(std::move(level), tuned_->is_changed());
     }
     if (player_) run.tune().player().set_tuning(*player_);  // in each frame, since a restart makes a new player
   } catch (const std::runtime_error& error) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/smoothstep.h"
+
 namespace game {
 namespace {
 
@@ -28,6 +30,8 @@ constexpr double above_player = 1.4;    // m, from its centre to the edge of the
 constexpr double up_ahead = 0.15;       // s, ahead of a player that rises, for the same
 constexpr double jump_height = 16.0;    // m, max. height of the view to show the ground
 constexpr double edge_zone = 2.5;       // m
+constexpr double around_target = 0.65;  // m, from the middle of a target to the edge of the picture
+constexpr double most_rise = 2.0;       // m, by which the camera rises for a target; from twice that on it does not
 constexpr double beside_players = 4.0;  // m, from the outer one of two players to the edge of the picture
 constexpr double over_players = 3.0;    // m, the same up and down
 constexpr double most_for_two = 26.0;   // m, max. height of the view to show both
@@ -87,6 +91,21 @@ double Camera::follow_height(const CameraSubject& subject) {
   return (level_height_ - before) / tick_dt;
 }
 
+/// Returns by how much a view with this centre has to rise to show the targets above it, m. A target that comes into
+/// its width raises it bit by bit.
+double Camera::rise_to_targets(Vec2 center) const {
+  double rise = 0.0;
+  for (const Vec2 target : targets_) {
+    const double missing = target.y + around_target - (center.y + 0.5 * now_.height);
+    if (missing <= 0.0) continue;
+    const double inside = 0.5 * usual_aspect * now_.height - std::abs(target.x - center.x);
+    const double share =
+        engine::smoothstep(0.0, edge_zone, inside) * engine::smoothstep(2.0 * most_rise, most_rise, missing);
+    rise = std::max(rise, share * missing);
+  }
+  return rise;
+}
+
 Camera::Place Camera::wanted(const CameraSubject& subject) const {
   const Vec2 ahead = clamp_length(seconds_ahead * subject_velocity_, max_ahead);
   const double speed = std::min(length(subject_velocity_) / full_speed, 1.0);
@@ -99,6 +118,10 @@ Camera::Place Camera::wanted(const CameraSubject& subject) const {
     const double lowest = *ground_ - below_ground;
     const double highest = highest_shown(subject);
     place.height = std::max(place.height, std::min(highest - lowest, jump_height));
+    const double room = lowest + 0.5 * now_.height - place.at.y;
+    place.at.y +=
+        std::clamp(rise_to_targets({clamp_center(place.at.x, 0.5 * usual_aspect * now_.height, level_.x), place.at.y}),
+                   0.0, std::max(room, 0.0));
     // The player has priority.
     place.at.y = std::max(std::min(place.at.y, lowest + 0.5 * now_.height), highest - 0.5 * now_.height);
   }
@@ -120,8 +143,11 @@ void Camera::jump_to(const CameraSubject& subject) {
   facing_ = subject.faces_left ? -1.0 : 1.0;
   level_height_ = subject.at.y;
   ground_.reset();
+  if (subject.on_ground) ground_ = subject.at.y - soles;
   velocity_ = subject_velocity_;
+  now_.height = wanted(subject).height;
   const Place goal = wanted(subject);
+  ground_.reset();
   now_.height = goal.height;
   now_.least = goal.least;
   now_.at = goal.at - (2.0 / stiffness) * velocity_;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/draw/canvas.h"
 
@@ -24,8 +26,10 @@ struct CameraSubject {
 /// moves by ticks, not by frames, stays within the level, and shows more of it at high speed.
 class Camera {
  public:
-  /// `level`: the size of the level in m, from (0, 0).
-  explicit Camera(ribbon::Vec2 level) : level_(level) {}
+  /// `level`: the size of the level in m, from (0, 0). `targets`: places at which a line can be thrown, m. Those just
+  /// above the picture come into it while the player is on the ground.
+  explicit Camera(ribbon::Vec2 level, std::vector<ribbon::Vec2> targets = {})
+      : level_(level), targets_(std::move(targets)) {}
 
   /// Jumps to the position at which it would come to rest.
   void jump_to(const CameraSubject& subject);
@@ -45,8 +49,10 @@ class Camera {
   };
   Place wanted(const CameraSubject& subject) const;
   double follow_height(const CameraSubject& subject);
+  double rise_to_targets(ribbon::Vec2 center) const;
 
   ribbon::Vec2 level_;
+  std::vector<ribbon::Vec2> targets_;
   Place now_, before_;
   ribbon::Vec2 velocity_{};          // m/s, of the camera
   ribbon::Vec2 subject_velocity_{};  // m/s, smoothed; vertically that of level_height_

@@ -20,7 +20,8 @@ constexpr Vec2 breeze{1.3, 0.0};                    // m/s
 
 }  // namespace
 
-Effects::Effects(const Simulation& simulation) : simulation_(&simulation), camera_(simulation.level().map.size) {}
+Effects::Effects(const Simulation& simulation)
+    : simulation_(&simulation), camera_(simulation.level().map.size, simulation.level().hooks) {}
 
 CameraSubject Effects::subject() const {
   const Player& player = simulation_->player();
@@ -47,8 +48,11 @@ Effects::Moving Effects::player(int number) const {
 }
 
 void Effects::start_again(const CameraSubject& now) {
-  camera_ = Camera(simulation_->level().map.size);  // the level may have been reloaded with another size
-  camera_.jump_to(now);
+  camera_ = Camera(simulation_->level().map.size,
+                   simulation_->level().hooks);  // the level may have been reloaded with another size
+  CameraSubject first = now;
+  if (simulation_->run_ticks() <= 1) first.on_ground = true;  // it will have met the ground in the next tick
+  camera_.jump_to(first);
   particles_.clear();
   trail_.clear();
   fall_.end();

@@ -47,11 +47,8 @@ void Pen::stamp(const Image& image, Vec2 center, Vec2 size, Color color) {
   const double u = 1.0 * width / made.image.width();
   const double v = 1.0 * height / made.image.height();
   mesh.clear();
-  mesh.vertices = {{corner, {0.0, 0.0}},
-                   {corner + Vec2{1.0 * width, 0.0}, {u, 0.0}},
-                   {corner + Vec2{1.0 * width, 1.0 * height}, {u, v}},
-                   {corner + Vec2{0.0, 1.0 * height}, {0.0, v}}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
+  constexpr Color white{255, 255, 255};
+  add_rectangle(mesh, corner, {1.0 * width, 1.0 * height}, white, white, {u, v});
   canvas.textured(mesh, {&made.image, Filter::nearest, Wrap::clamp, Wrap::clamp});
 }
 
@@ -67,11 +64,7 @@ void Pen::disc(const Image& image, Vec2 center, double radius, Color color, doub
 
 void Pen::fade(Vec2 top_left, Vec2 size, Color top, Color bottom) {
   mesh.clear();
-  mesh.vertices = {{top_left, {}, top},
-                   {top_left + Vec2{size.x, 0.0}, {}, top},
-                   {top_left + size, {}, bottom},
-                   {top_left + Vec2{0.0, size.y}, {}, bottom}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
+  add_rectangle(mesh, top_left, size, top, bottom);
   canvas.textured(mesh, {});
 }
 

@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "engine/draw/image.h"
+#include "engine/math/smoothstep.h"
 
 namespace game {
 
 /// Functions from which the images of the game are computed.
 
-inline double smoothstep(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
+using engine::smoothstep;
 
 /// Multiplies the channels; the alpha is that of `light`.
 inline engine::Color tinted(engine::Color light, engine::Color color) {

@@ -20,8 +20,7 @@ void draw_darkness(engine::Canvas& canvas, double darkness) {
   color.a = static_cast<std::uint8_t>(std::lround(opacity));
   const Vec2 size{1.0 * canvas.width(), 1.0 * canvas.height()};
   engine::TexturedMesh mesh;
-  mesh.vertices = {{{0.0, 0.0}, {}, color}, {{size.x, 0.0}, {}, color}, {size, {}, color}, {{0.0, size.y}, {}, color}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
+  add_rectangle(mesh, {0.0, 0.0}, size, color, color);
   canvas.textured(mesh, {});
 }
 

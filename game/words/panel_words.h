@@ -33,6 +33,7 @@ inline constexpr const char* reach = "reach [m]";
 inline constexpr const char* climb_speed = "climb speed [m/s]";
 inline constexpr const char* hop_speed = "hop speed [m/s]";
 inline constexpr const char* own_line = "The player's own line is not part of a level.";
+inline constexpr const char* placed = "A placed thing has no parameters in the file of the level.";
 inline constexpr const char* integrator = "integrator";
 inline constexpr const char* is_off = "%s: off";
 inline constexpr const char* cord = "cord {number}{name} ({solver})";

@@ -48,6 +48,7 @@ inline constexpr const char* screen_levels = "levels";
 inline constexpr const char* screen_options = "options";
 inline constexpr const char* screen_keys = "keys and buttons";
 inline constexpr const char* screen_paused = "paused";
+inline constexpr const char* screen_yard = "building in the yard";
 inline constexpr const char* screen_results = "results";
 inline constexpr const char* screen_last_seconds = "the last seconds with {preset}";
 inline constexpr const char* screen_replay = "{level}, a replay";
@@ -135,6 +136,7 @@ inline constexpr const char* do_slow_motion = "Slow motion 1/2, 1/4";
 inline constexpr const char* do_help = "Show or hide the keys";
 inline constexpr const char* do_debug_view = "Debug view, drag by mouse";
 inline constexpr const char* do_panel = "Figures and parameters";
+inline constexpr const char* do_palette = "Build in the sandbox";
 inline constexpr const char* do_mute = "Sound on or off";
 inline constexpr const char* do_fullscreen = "Full screen";
 inline constexpr const char* do_film = "Start or stop a video";
@@ -165,6 +167,31 @@ inline constexpr const char* kilograms = "{number} kg";
 inline constexpr const char* tonnes = "{number} t";
 inline constexpr const char* flag_right = "flag {metres} m →";
 inline constexpr const char* flag_left = "← flag {metres} m";
+
+// Building in a sandbox
+inline constexpr const char* place_things = "Build";
+inline constexpr const char* build_key = "{key}: build";
+inline constexpr const char* yard_headline = "Build";
+inline constexpr const char* yard_rope = "Rope between two points";
+inline constexpr const char* yard_hanging_rope = "Rope from one point";
+inline constexpr const char* yard_curtain = "Ribbon from one point";
+inline constexpr const char* yard_trampoline = "Trampoline";
+inline constexpr const char* yard_crate = "Crate";
+inline constexpr const char* yard_ball = "Ball";
+inline constexpr const char* yard_peg = "Peg";
+inline constexpr const char* yard_move = "Move";
+inline constexpr const char* yard_remove = "Remove";
+inline constexpr const char* yard_clear = "Clear";
+inline constexpr const char* yard_done = "Done";
+inline constexpr const char* yard_count = "{count} of {most} things";
+inline constexpr const char* yard_too_many = "{count} things at most: remove one";
+inline constexpr const char* yard_outside = "Too near the edge of the yard";
+inline constexpr const char* yard_too_short = "At least {least} m from end to end";
+inline constexpr const char* yard_too_long = "At most {most} m from end to end";
+inline constexpr const char* yard_in_the_way = "Something is in the way";
+inline constexpr const char* yard_keys = "Tab: next   mouse or arrows: pointer   click or Enter: use   Esc: done";
+inline constexpr const char* yard_buttons = "LB RB: choose   stick: pointer   A: use   B: done";
+inline constexpr const char* recording_ended_by_building = "The recording ended: the yard was changed";
 
 // The last seconds with another preset
 inline constexpr const char* last_seconds_headline = "The last seconds with “{preset}”";

@@ -11,6 +11,7 @@
 #include "engine/replay/replay.h"
 #include "game/simulation/level.h"
 #include "game/simulation/player.h"
+#include "game/simulation/run_header.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
 
@@ -35,7 +36,7 @@ inline std::string name_of_replay(const testing::TestParamInfo<std::string>& rep
 struct GoldenRun {
   explicit GoldenRun(const std::string& path)
       : replay(engine::load_replay(path)), level(game::load_level(replay.header.level)) {
-    check_header(replay.header, game::Simulation::replay_header(level));
+    check_header(replay.header, game::replay_header(level));
   }
   engine::Replay replay;
   game::Level level;

@@ -47,9 +47,11 @@ class Sealer {
 
   bool close_tick() {
     if (at_ + format::tick_head_bytes > file_.size() || file_[at_] != format::tick_tag) return false;
-    const std::size_t parts = file_[at_ + 1] + std::size_t{256} * file_[at_ + 2];
+    const std::size_t flagged = file_[at_ + 1] + std::size_t{256} * file_[at_ + 2];
+    const bool has_pointer = players_ == 2 && (flagged & format::second_pointer_flag) != 0;
+    const std::size_t parts = has_pointer ? flagged - format::second_pointer_flag : flagged;
     for (const std::size_t k : {1U, 2U}) file_[at_ + 2 + k] = static_cast<std::uint8_t>(~file_[at_ + k]);
-    at_ += format::tick_head_bytes + format::tick_body_bytes(parts, players_) - format::checksum_bytes;
+    at_ += format::tick_head_bytes + format::tick_body_bytes(parts, players_, has_pointer) - format::checksum_bytes;
     return close_record();
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/replay/replay.h"
+#include "game/simulation/run_header.h"
 #include "ribbon/study/conditions.h"
 #include "tests/study/chain_mover.h"
 #include "tests/study/cord_search.h"
@@ -359,7 +360,7 @@ std::vector<Point> Study::points() const {
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options) {
   const engine::Replay replay = engine::load_replay(replay_path);
   const game::Level level = file.level();
-  engine::check_header(replay.header, game::Simulation::replay_header(level));
+  engine::check_header(replay.header, game::replay_header(level));
   if (replay.ticks.empty()) throw engine::ReplayError(replay_path + " has no ticks; a study needs one or more");
   Results results(options.folder, file.hash(), replay_path, options.quick);
   Study study = LevelStudy(file, inputs_of(replay), options, results).run();

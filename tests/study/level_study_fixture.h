@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "engine/replay/replay.h"
+#include "game/simulation/run_header.h"
 #include "tests/study/level_study.h"
 #include "tests/study/text.h"
 
@@ -71,7 +72,7 @@ class LevelStudy : public testing::Test {
 
   void record(const std::string& path, int ticks) const {
     const game::Level level = game::load_level(level_path);
-    engine::ReplayWriter writer(path, game::Simulation::replay_header(level));
+    engine::ReplayWriter writer(path, game::replay_header(level));
     game::Simulation simulation(level);
     for (int k = 0; k < ticks; ++k) {
       simulation.tick({});

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "game/simulation/run_header.h"
 #include "ribbon/box2d/state_hash.h"
 
 namespace test_support {
@@ -20,7 +21,7 @@ double largest_distance(const std::vector<ribbon::Vec2>& a, const std::vector<ri
 Rollback::Rollback(const std::string& name)
     : replay_(engine::load_replay(game::assets_folder() + "/replays/" + name + ".replay")),
       level_(game::load_level(replay_.header.level)) {
-  game::Simulation::take_assists(level_, replay_.header);
+  game::take_settings(level_, replay_.header);
 }
 
 /// The last tick updates hash and positions.

@@ -8,6 +8,7 @@
 
 #include "engine/replay/replay.h"
 #include "game/simulation/medals.h"
+#include "game/simulation/run_header.h"
 #include "game/simulation/simulation.h"
 #include "tests/support/scripted_player.h"
 
@@ -29,7 +30,7 @@ int record(const std::string& name, const std::string& path, int trace_every) {
   const game::Level level = game::load_level(name);
   game::Simulation simulation(level);
   test_support::ScriptedPlayer player = test_support::winner_of(level.name);
-  engine::ReplayWriter writer(path, game::Simulation::replay_header(level));
+  engine::ReplayWriter writer(path, game::replay_header(level));
   int left = most_ticks;
   while (left-- > 0 && !player.is_stuck()) {
     const engine::TickInput input = player.input(simulation);

@@ -455,16 +455,20 @@ TEST(Textured, ARowHasTheSameColoursWhetherItLeavesTheImageOrNot) {
 }
 
 /// Repeated images are the same at a whole number of images from their start.
+/// A copy far from the image is the image, which a clamped texture has only once. Its seams are outside.
 TEST(Textured, FarCopiesOfAnImageAreTheSame) {
   const Image image = ramps(32);
-  Raster near(60, 60);
-  Raster far(60, 60);
-  TexturedMesh mesh = rectangle({3.0, 4.0}, {55.0, 57.0});
-  mesh.vertices[1].at.y += 2.0;  // turned a little, so that rows are not rows of the image
-  near.fill(mesh, {&image, Filter::linear});
-  for (TexturedVertex& v : mesh.vertices) v.uv += Vec2{-5.0, 7.0};
-  far.fill(mesh, {&image, Filter::linear});
-  EXPECT_EQ(near.pixels(), far.pixels());
+  for (const double far_away : {-5.0, 7.0, 4096.0, -100'000.0}) {
+    Raster once(60, 60);
+    Raster far(60, 60);
+    TexturedMesh mesh = rectangle({3.0, 4.0}, {55.0, 57.0});
+    mesh.vertices[1].at.y += 2.0;  // turned a little, so that rows are not rows of the image
+    for (TexturedVertex& v : mesh.vertices) v.uv = 0.8 * v.uv + Vec2{0.1, 0.1};
+    once.fill(mesh, {&image, Filter::linear, Wrap::clamp, Wrap::clamp});
+    for (TexturedVertex& v : mesh.vertices) v.uv += Vec2{far_away, -far_away};
+    far.fill(mesh, {&image, Filter::linear});
+    EXPECT_EQ(once.pixels(), far.pixels()) << far_away;
+  }
 }
 
 TEST(PixelPairs, FourPixelsBlendLikePairs) {

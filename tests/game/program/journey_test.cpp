@@ -243,7 +243,7 @@ TEST_F(Journey, AWindowThatLosesTheFocusPausesAndReleasesAllButtons) {
   for (int k = 0; k < 30; ++k) frame();
   EXPECT_NEAR(static_cast<double>(play().simulation().player().body().GetLinearVelocity().x), 0.0, 0.01)
       << "the key went up unseen";
-  EXPECT_FALSE(play().is_assisted()) << "a pause is no help";
+  EXPECT_FALSE(play().played().is_assisted()) << "a pause is no help";
 }
 
 TEST_F(Journey, AReboundKeyIsSavedAndWorks) {
@@ -343,10 +343,10 @@ TEST_F(Journey, SlowMotionAndSingleStepsRunFewerTicksAndTheRunIsAssisted) {
     return play().simulation().ticks() - before;
   };
   EXPECT_EQ(ticks_in(40), 40);
-  EXPECT_FALSE(play().is_assisted());
+  EXPECT_FALSE(play().played().is_assisted());
   tap(Key::x);
   EXPECT_EQ(ticks_in(40), 20);
-  EXPECT_TRUE(play().is_assisted());
+  EXPECT_TRUE(play().played().is_assisted());
   tap(Key::x);
   EXPECT_EQ(ticks_in(40), 10);
   tap(Key::x);
@@ -376,7 +376,7 @@ TEST_F(Journey, LongerArmsAndNoFallsAreDeclaredInTheRecordingWhichVerifies) {
   for (int k = 0; k < 120; ++k) frame();
   test_support::push_key(Key::e, false);
   for (int k = 0; k < 240; ++k) frame();
-  EXPECT_TRUE(play().is_assisted());
+  EXPECT_TRUE(play().played().is_assisted());
   EXPECT_TRUE(play().run().level().assists.no_fall);
   EXPECT_EQ(play().simulation().player().tuning().grab_range, Assists::long_grab_range);
   test_support::push_quit();

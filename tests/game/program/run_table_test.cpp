@@ -9,6 +9,7 @@
 
 #include "engine/replay/replay.h"
 #include "game/simulation/buttons.h"
+#include "game/simulation/run_header.h"
 #include "game/simulation/simulation.h"
 #include "tests/game/program.h"
 #include "tests/support/refusal.h"
@@ -45,7 +46,7 @@ void write_run(const std::string& path, const game::Assists& assists, int wait) 
   game::Level level = game::load_level("first_swing");
   level.assists = assists;
   game::Simulation simulation(level);
-  engine::ReplayWriter writer(path, game::Simulation::replay_header(level));
+  engine::ReplayWriter writer(path, game::replay_header(level));
   const auto tick = [&](const engine::TickInput& input) {
     simulation.tick(input);
     writer.write(input, simulation.hash());

@@ -142,7 +142,7 @@ TEST_P(Screens, ResultsShowTimeAndBest) {
   ResultsScreen again(session, play);
   const std::string same = texts_of(again);
   EXPECT_NE(same.find("Your best: "), std::string::npos) << same;
-  play.mark_assisted();
+  play.played().mark_assisted();
   ResultsScreen helped(session, play);
   EXPECT_NE(texts_of(helped).find("With assists"), std::string::npos);
 }

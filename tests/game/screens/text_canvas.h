@@ -26,6 +26,15 @@ class TextCanvas : public engine::HeadlessCanvas {
     return texts;
   }
 
+  /// The box of the text that was drawn last with these words; none if it was not drawn.
+  Rectangle place_of(const std::string& words) const {
+    Rectangle place{};
+    for (const Drawn& each : drawn_) {
+      if (!each.is_panel && each.text == words) place = each.box;
+    }
+    return place;
+  }
+
   /// The texts that share pixels with a rectangle.
   std::string texts_in(const Rectangle& place) const {
     std::string texts;

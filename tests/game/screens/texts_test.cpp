@@ -227,7 +227,7 @@ TEST_P(Texts, OfResultsAreReadable) {
   draw(play);
   EXPECT_EQ(canvas.faults(of_world(play.run().level(), session)), "");
   for (const bool assisted : {false, true}) {
-    if (assisted) play.mark_assisted();
+    if (assisted) play.played().mark_assisted();
     ResultsScreen results(session, play);
     draw(results, &play);
     EXPECT_EQ(canvas.faults(of_world(play.run().level(), session), true), "");

@@ -8,6 +8,7 @@
 #include "engine/replay/replay.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/level.h"
+#include "game/simulation/run_header.h"
 #include "game/simulation/simulation.h"
 #include "tests/support/allocations.h"
 #include "tests/support/autopilot.h"
@@ -61,7 +62,7 @@ TEST_P(GoingBack, GivesTheSameBitsIfNothingSleeps) {
 TEST_P(GoingBack, ByTenSecondsGivesTheSameBitsIfNothingSleeps) {
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   Level level = load_level(replay.header.level);
-  Simulation::take_assists(level, replay.header);
+  take_settings(level, replay.header);
   Simulation run(level);
   run.scene().world().SetAllowSleeping(false);
   const int end = static_cast<int>(replay.ticks.size());

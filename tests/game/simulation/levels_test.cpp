@@ -9,6 +9,7 @@
 
 #include "engine/replay/replay.h"
 #include "game/simulation/medals.h"
+#include "game/simulation/run_header.h"
 #include "game/simulation/simulation.h"
 #include "tests/support/dice.h"
 #include "tests/support/scripted_player.h"
@@ -24,7 +25,7 @@ TEST_P(EveryLevel, HasAWinningRunThatVerifiesInAllItsTicks) {
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   EXPECT_TRUE(replay.complete);
   const Level level = load_level(GetParam());
-  EXPECT_NO_THROW(engine::check_header(replay.header, Simulation::replay_header(level)));
+  EXPECT_NO_THROW(engine::check_header(replay.header, replay_header(level)));
   Simulation simulation(level);
   for (std::size_t k = 0; k < replay.ticks.size(); ++k) {
     simulation.tick(replay.ticks[k].input);

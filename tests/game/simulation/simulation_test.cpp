@@ -9,6 +9,7 @@
 #include "engine/tick/tick.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/level.h"
+#include "game/simulation/run_header.h"
 #include "tests/game/simulation/press.h"
 #include "tests/support/autopilot.h"
 #include "tests/support/mixed_level.h"
@@ -195,17 +196,17 @@ TEST(NoFall, ARestartResetsTheLastFooting) {
 
 TEST(NoFall, IsTakenFromTheHeaderOfAReplay) {
   const Level level = first_swing_without_falls();
-  const engine::ReplayHeader header = Simulation::replay_header(level);
+  const engine::ReplayHeader header = replay_header(level);
   Level other = first_swing_level();
-  EXPECT_THROW(engine::check_header(header, Simulation::replay_header(other)), engine::ReplayError);
-  Simulation::take_assists(other, header);
+  EXPECT_THROW(engine::check_header(header, replay_header(other)), engine::ReplayError);
+  take_settings(other, header);
   EXPECT_TRUE(other.assists.no_fall);
-  EXPECT_NO_THROW(engine::check_header(header, Simulation::replay_header(other)));
+  EXPECT_NO_THROW(engine::check_header(header, replay_header(other)));
   engine::ReplayHeader strange = header;
   strange.settings["no_fall"] = 0.5;
-  Simulation::take_assists(other, strange);
+  take_settings(other, strange);
   EXPECT_FALSE(other.assists.no_fall);
-  EXPECT_THROW(engine::check_header(strange, Simulation::replay_header(other)), engine::ReplayError);
+  EXPECT_THROW(engine::check_header(strange, replay_header(other)), engine::ReplayError);
 }
 
 TEST_P(EitherLevel, ThePointerDragsACordPointAndReleasesIt) {

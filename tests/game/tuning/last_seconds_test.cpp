@@ -8,6 +8,7 @@
 #include "engine/replay/replay.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/recorded_run.h"
+#include "game/simulation/run_header.h"
 #include "game/tuning/last_seconds.h"
 #include "tests/game/program.h"
 #include "tests/game/simulation/press.h"
@@ -99,7 +100,7 @@ TEST(LastSeconds, OfEveryRecordedRunAreThoseOfTheRunAndRepeatThemselves) {
   for (const std::string& name : level_names()) {
     const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + name + ".replay");
     Level level = load_level(name);
-    Simulation::take_assists(level, replay.header);
+    take_settings(level, replay.header);
     const std::vector<engine::TickInput> inputs = recorded(name.c_str());
     Simulation run(level);
     for (const engine::TickInput& input : inputs) run.tick(input);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/replay/replay.h"
@@ -49,6 +50,30 @@ TEST_P(CameraInRuns, MovesWithoutJerks) {
     step_before = now - before;
     before = now;
     scale_before = scale;
+  }
+}
+
+/// A ring in the picture at the start is seen whole: it is what the player aims at first.
+TEST_P(CameraInRuns, ShowsWholeRingsAtTheStart) {
+  constexpr double radius = 0.5;  // m
+  const Level level = load_level(GetParam());
+  Simulation simulation(level);
+  Effects effects(simulation);
+  for (const int ticks : {0, 1, 60}) {
+    while (simulation.ticks() < ticks) {
+      simulation.tick({});
+      effects.follow(palette(false), false);
+    }
+    if (ticks == 0) effects.follow(palette(false), false);
+    for (const bool reduced : {false, true}) {
+      const engine::View view = effects.view(1.0, width, height, reduced);
+      const Vec2 half = 0.5 / view.pixels_per_metre * Vec2{1.0 * width, 1.0 * height};
+      for (const Vec2 ring : level.hooks) {
+        const Vec2 off = ring - view.center;
+        const bool is_seen = std::abs(off.x) < half.x - radius && std::abs(off.y) < half.y + radius;
+        EXPECT_TRUE(!is_seen || std::abs(off.y) < half.y - radius) << ticks << ' ' << ring.x << ' ' << ring.y;
+      }
+    }
   }
 }
 
