@@ -43,7 +43,8 @@ struct Level {
   Place place = Place::hills;
   bool sandbox = false;                 ///< the pointer can drag bodies and cords without the debug view
   int lines = 1;                        ///< that the player can hold at once, 1 … 2
-  ribbon::Accuracy line_accuracy = {};  ///< of thrown lines; a map does not set it
+  /// Of thrown lines; none: LineTuning::accuracy. A map does not set it.
+  std::optional<ribbon::Accuracy> line_accuracy{};
   Medals medals;
   engine::TiledMap map;
   ribbon::Vec2 player_start;           ///< m, the middle of the player's feet

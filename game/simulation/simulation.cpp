@@ -191,7 +191,7 @@ void Simulation::make_players() {
   tuning.mass = level_->player_mass;
   tuning.grab_range = level_->assists.grab_range.value_or(tuning.grab_range);
   LineTuning line;
-  line.accuracy = level_->line_accuracy;
+  line.accuracy = level_->line_accuracy.value_or(line.accuracy);
   players_[0] = std::make_unique<Player>(scene_->world(), level_->player_start, tuning, at(level_->lines), line);
   if (!level_->second) return;
   tuning.mass = level_->second->mass;

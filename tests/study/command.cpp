@@ -153,7 +153,9 @@ int print_validation(const Command& command) {
 
 int print_terms(const LevelFile& file, const std::string& replay) {
   const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
-  std::printf("Compared for %.2f s; after that the motion is chaotic.\n", static_cast<double>(terms.ticks) / 60.0);
+  std::printf(
+      "Compared for %.2f s; after that the motion is too sensitive: 4 mm/s more or less move something by 1 cm.\n",
+      static_cast<double>(terms.ticks) / 60.0);
   for (const bool declared : {true, false}) {
     std::puts(declared ? "Without each declared term:" : "With each undeclared term that has a natural value:");
     for (const TermResult& result : terms.results) {
