@@ -41,8 +41,8 @@ struct Level {
   std::string hint;   ///< one sentence, may be empty
   int number = 0;     ///< position in the list of levels, from 1; 0: last
   Place place = Place::hills;
-  bool sandbox = false;                 ///< the pointer can drag bodies and cords without the debug view
-  int lines = 1;                        ///< that the player can hold at once, 1 … 2
+  bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
+  int lines = 1;         ///< that the player can hold at once, 1 … 2
   /// Of thrown lines; none: LineTuning::accuracy. A map does not set it.
   std::optional<ribbon::Accuracy> line_accuracy{};
   Medals medals;

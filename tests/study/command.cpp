@@ -196,7 +196,7 @@ int run(const Command& command) {
   options.others = players_that_meet_cords(file.level(), 0, other_players);
   options.quick = command.quick;
   if (command.by_cord) options.by_cord_error_m = command.limits.max_error_m.value_or(default_error);
-  options.repeats = command.repeats;
+  options.repeats = command.repeats.value_or(command.quick ? 3 : 9);
   options.folder = command.folder;
   options.films = !command.folder.empty();
   options.stopped = [] { return interrupted != 0; };
