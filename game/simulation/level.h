@@ -42,9 +42,10 @@ struct Level {
   std::string hint;   ///< one sentence, may be empty
   int number = 0;     ///< position in the list of levels, from 1; 0: last
   Place place = Place::hills;
-  bool sandbox = false;                 ///< the pointer can drag bodies and cords without the debug view
-  int lines = 1;                        ///< that the player can hold at once, 1 … 2
-  ribbon::Accuracy line_accuracy = {};  ///< of thrown lines; a map does not set it
+  bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
+  int lines = 1;         ///< that the player can hold at once, 1 … 2
+  /// Of thrown lines; none: LineTuning::accuracy. A map does not set it.
+  std::optional<ribbon::Accuracy> line_accuracy{};
   Medals medals;
   engine::TiledMap map;
   ribbon::Vec2 player_start;           ///< m, the middle of the player's feet

@@ -21,7 +21,7 @@ void Players::make(const Level& level, engine::Scene& scene, bool tied) {
   tuning.mass = level.player_mass;
   tuning.grab_range = level.assists.grab_range.value_or(tuning.grab_range);
   LineTuning line;
-  line.accuracy = level.line_accuracy;
+  line.accuracy = level.line_accuracy.value_or(line.accuracy);
   for (Seat& seat : seats_) seat = {.buttons_before = seat.buttons_before};
   seats_[0].foothold = level.player_start;
   all_[0] = std::make_unique<Player>(scene.world(), level.player_start, tuning, at(level.lines), line);

@@ -153,7 +153,9 @@ int print_validation(const Command& command) {
 
 int print_terms(const LevelFile& file, const std::string& replay) {
   const Terms terms = try_terms(file, replay, [](double share) { show_progress("terms", share); });
-  std::printf("Compared for %.2f s; after that the motion is chaotic.\n", static_cast<double>(terms.ticks) / 60.0);
+  std::printf(
+      "Compared for %.2f s; after that the motion is too sensitive: 4 mm/s more or less move something by 1 cm.\n",
+      static_cast<double>(terms.ticks) / 60.0);
   for (const bool declared : {true, false}) {
     std::puts(declared ? "Without each declared term:" : "With each undeclared term that has a natural value:");
     for (const TermResult& result : terms.results) {
@@ -194,7 +196,7 @@ int run(const Command& command) {
   options.others = players_that_meet_cords(file.level(), 0, other_players);
   options.quick = command.quick;
   if (command.by_cord) options.by_cord_error_m = command.limits.max_error_m.value_or(default_error);
-  options.repeats = command.repeats;
+  options.repeats = command.repeats.value_or(command.quick ? 3 : 9);
   options.folder = command.folder;
   options.films = !command.folder.empty();
   options.stopped = [] { return interrupted != 0; };

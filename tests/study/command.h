@@ -21,9 +21,9 @@ struct Command {
   bool apply = false;
   Limits limits;
   std::optional<int> validation_runs;  ///< number of runs of each level that verify recommendations
-  int repeats = 9;
-  bool csv = false;  ///< of a validation: print its rows
-  Shard shard;       ///< of a validation
+  std::optional<int> repeats;          ///< of the timed runs; none: 9, and 3 of a quick study
+  bool csv = false;                    ///< of a validation: print its rows
+  Shard shard;                         ///< of a validation
 };
 
 /// Returns the recorded input of a level: the command's, or that of the level in the assets folder. Throws

@@ -256,16 +256,6 @@ std::string LevelFile::name_of_object(int id) const {
   return name.empty() ? "cord " + std::to_string(id) : name;
 }
 
-game::Level LevelFile::displaced(double offset) const {
-  Json json = json_;
-  for_each_cord(json, [&](Json& cord) { displace(cord, offset); });
-  return level_of(json);
-}
-
-void LevelFile::displace(Json& cord, double offset) const {
-  if (offset != 0.0) cord["x"] = cord["x"].get<double>() + offset * pixels_per_metre_;
-}
-
 LevelFile LevelFile::varied(unsigned seed) const {
   std::mt19937 random(seed);
   const auto between = [&random](double low, double high) {  // the same bits with every library, unlike std's

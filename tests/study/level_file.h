@@ -40,8 +40,6 @@ class LevelFile {
   std::string left_out_reason(const Setting& setting) const;
   /// Returns whether the map has a cord or ribbon.
   bool has_cords() const;
-  /// Returns the level with its cords moved by `offset` [m] to the right.
-  game::Level displaced(double offset) const;
   /// Returns a random variation of the level: each cord, and the player, within Variation; the same for the same seed.
   LevelFile varied(unsigned seed) const;
   /// Returns the level with a property of all cords set, or removed if the value is null.
@@ -71,7 +69,6 @@ class LevelFile {
   static void set(Json& cord, const std::string& name, const Json& value);
   static std::string with_changes(const std::string& text, const Json& before, const Json& after);
   static const Json* find(const Json& cord, const std::string& name);
-  void displace(Json& cord, double offset) const;
   static int rows_of(const Json& cord);
   static void multiply_links(Json& cord, double times);
   /// Ropes around wheels stay ropes of the direct solver.

@@ -91,7 +91,7 @@ class LevelStudy {
     const bool has_other_meshes = std::any_of(grid_.settings.begin(), grid_.settings.end(),
                                               [](const Setting& setting) { return mesh_of(setting) != Mesh{}; });
     const bool has_finer = options_->grid.empty() && has_other_meshes && file_->left_out_reason(finest).empty();
-    const Trace fine = has_finer ? whole_run(finest) : Trace{};
+    const Trace fine = has_finer ? whole_run(finest, end_of_comparison()) : Trace{};
     progress_.add(work_of(finest));
     const game::Level original = file_->level();
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
@@ -125,6 +125,13 @@ class LevelStudy {
     if (study.complete && options_->by_cord_error_m) study.by_cord = find_by_cord(study, windows);
     study.complete = study.complete && !stopped();
     return study;
+  }
+
+  /// The ticks after which no run is compared with that of the finest mesh.
+  AccuracyChange end_of_comparison() const {
+    std::size_t ticks = 0;
+    for (const auto& [mesh, converged] : converged_) ticks = std::max(ticks, converged.about.ticks);
+    return {ticks, accuracy_of(probe({finer_mesh}))};
   }
 
   double all_work() const {
@@ -167,19 +174,19 @@ class LevelStudy {
   bool stopped() const { return options_->stopped && options_->stopped(); }
 
   /// Runs all ticks; returns the saved run if the folder has one.
-  Trace whole_run(const Setting& setting) {
+  Trace whole_run(const Setting& setting, const std::optional<AccuracyChange>& change = {}) {
     if (std::optional<Trace> known = results_->run(name_of(setting))) return *known;
-    Trace trace = run_once(file_->with(setting));
+    Trace trace = run_once(file_->with(setting), {}, change);
     results_->add_run(name_of(setting), trace);
     return trace;
   }
 
-  /// The same with a kick at the start (see Part).
+  /// The same with a kick at the start (see PartSetting).
   Trace kicked_run(const Setting& setting, double kick) {
     const std::string name = name_of(setting) + (kick < 0.0 ? " left" : " right");
     if (std::optional<Trace> known = results_->run(name)) return *known;
     ++runs_;
-    Trace trace = run_part(file_->with(setting), inputs_, {0, inputs_.size(), std::nullopt, 0, kick});
+    Trace trace = study::kicked_run(file_->with(setting), inputs_, kick);
     results_->add_run(name, trace);
     return trace;
   }
@@ -193,26 +200,28 @@ class LevelStudy {
                            "none and no line arrives; accepted is a level with a cord, a ribbon or a thrown line");
   }
 
-  Trace run_once(const game::Level& level, const Method& method = {}) {
+  Trace run_once(const game::Level& level, const Method& method = {},
+                 const std::optional<AccuracyChange>& change = {}) {
     ++runs_;
-    return study::run(level, inputs_, method);
+    return study::run(level, inputs_, method, change);
   }
 
   bool find_reference(const Mesh& mesh) {
     const Setting first = reference(mesh, false, options_->quick);
     const Setting second = reference(mesh, true, options_->quick);
     if (stopped()) return false;
-    Converged converged;
-    converged.trace = whole_run(second);
-    progress_.add(work_of(second));
-    if (stopped()) return false;
-    const Trace other = whole_run(first);
-    progress_.add(work_of(first));
-    if (stopped()) return false;
     const Setting moderate = probe(mesh);
     const Trace left = kicked_run(moderate, -probe_kick);
     const Trace right = kicked_run(moderate, probe_kick);
     progress_.add(2.0 * work_of(moderate));
+    if (stopped()) return false;
+    const AccuracyChange change = end_of_reference(mesh, left, right);
+    Converged converged;
+    converged.trace = whole_run(second, change);
+    progress_.add(work_of(second));
+    if (stopped()) return false;
+    const Trace other = whole_run(first, change);
+    progress_.add(work_of(first));
     converged.about = reference_of(mesh, {converged.trace, other, left, right});
     converged_[mesh] = std::move(converged);
     return true;

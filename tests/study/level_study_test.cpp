@@ -231,7 +231,7 @@ TEST(Reference, IsNotReplacedByALinearisedStepWhereACordIsTouched) {
   const auto posed = [&](int max_work) {
     Setting setting = reference({}, false, true);
     setting.max_work = max_work;
-    return run_part(file.level(), inputs, {297, 15, accuracy_of(setting), Windows::lead_in}).work.posed;
+    return run_part(file.level(), inputs, {297, 15, Windows::lead_in, {accuracy_of(setting)}}).work.posed;
   };
   EXPECT_GT(posed(20), 0);
   EXPECT_EQ(posed(unlimited_work), 0);

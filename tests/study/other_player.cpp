@@ -17,20 +17,18 @@ OtherPlayer::OtherPlayer(const LevelFile& file, Inputs inputs, const StudyOption
     : file_(&file),
       level_(file.level()),
       inputs_(std::move(inputs)),
-      converged_(run(reference({}, true, options.quick))),
       windows_(level_, inputs_, accuracy_of(reference({}, false, options.quick)),
-               accuracy_of(reference({}, true, options.quick)), windows),
-      about_(
-          reference_of({}, {converged_, run(reference({}, false, options.quick)),
-                            run(probe({}), -ribbon::study::probe_kick), run(probe({}), ribbon::study::probe_kick)})) {}
-
-Trace OtherPlayer::run(const CordSettings& settings, double kick) const {
-  if (kick == 0.0) return study::run(file_->with(settings), inputs_);
-  return run_part(file_->with(settings), inputs_, {0, inputs_.size(), std::nullopt, 0, kick});
+               accuracy_of(reference({}, true, options.quick)), windows) {
+  const Trace left = kicked_run(file.with(probe({})), inputs_, -ribbon::study::probe_kick);
+  const Trace right = kicked_run(file.with(probe({})), inputs_, ribbon::study::probe_kick);
+  const std::optional<AccuracyChange> change = end_of_reference({}, left, right);
+  converged_ = study::run(file.with(reference({}, true, options.quick)), inputs_, {}, change);
+  about_ = reference_of(
+      {}, {converged_, study::run(file.with(reference({}, false, options.quick)), inputs_, {}, change), left, right});
 }
 
 void OtherPlayer::judge(const CordSettings& settings, WithOthers& results) const {
-  const Trace trace = run(settings);
+  const Trace trace = study::run(file_->with(settings), inputs_);
   const WindowErrors in_windows = windows_.errors(window_accuracy_of(settings.common), accuracies_of(level_, settings));
   const double resolution =
       ribbon::study::resolution_per_agreement * std::max(about_.agreement_m, windows_.agreement().greatest());

@@ -16,13 +16,11 @@ class OtherPlayer {
   void judge(const CordSettings& settings, WithOthers& results) const;
 
  private:
-  Trace run(const CordSettings& settings, double kick = 0.0) const;
-
   const LevelFile* file_;
   const game::Level level_;
   const Inputs inputs_;
-  const Trace converged_;
   const Windows windows_;
+  Trace converged_;
   Reference about_;
 };
 

@@ -15,6 +15,7 @@ namespace {
 constexpr unsigned tried = 24;
 constexpr int ticks = 120;
 constexpr unsigned first_seed = 1'000'000;  // the seeds below are those of players that test a recommendation
+constexpr unsigned next_seed = 40'000;      // from one try to the next
 
 /// Returns how many of the meetings are not known yet.
 std::size_t count_new(const Meetings& own, const Meetings& known) {
@@ -39,13 +40,16 @@ Inputs random_inputs(unsigned seed, int count) {
   std::mt19937 random(seed);
   Inputs inputs(static_cast<std::size_t>(count));
   std::uint16_t buttons = game::button_right;
-  for (engine::TickInput& input : inputs) {  // mostly right and grab, because levels go to the right
+  for (engine::TickInput& input :
+       inputs) {  // mostly right and grab, because levels go to the right; a line is thrown at what is ahead
     if (random() % held_for == 0) {
       buttons = 0;
       for (const auto& [button, eighths] : {std::pair{game::button_left, 1U},
                                             {game::button_right, 7U},
                                             {game::button_jump, 4U},
-                                            {game::button_grab, 6U}}) {
+                                            {game::button_grab, 6U},
+                                            {game::button_throw, 3U},
+                                            {game::button_reel_in, 2U}}) {
         if (random() % 8 < eighths) buttons = static_cast<std::uint16_t>(buttons | button);
       }
     }
@@ -71,6 +75,14 @@ Meetings meetings_of(const game::Level& level, const Inputs& inputs) {
   meetings.held.assign(held.begin(), held.end());
   meetings.touched.assign(touched.begin(), touched.end());
   return meetings;
+}
+
+Inputs random_inputs_with_cords(const game::Level& level, unsigned seed, int count) {
+  for (unsigned k = 0; k < tried; ++k) {
+    Inputs inputs = random_inputs(seed + k * next_seed, count);
+    if (meetings_of(level, inputs).any_cord) return inputs;
+  }
+  return random_inputs(seed, count);
 }
 
 std::vector<Inputs> players_that_meet_cords(const game::Level& level, unsigned seed, std::size_t count) {

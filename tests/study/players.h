@@ -22,6 +22,10 @@ struct Meetings {
 };
 Meetings meetings_of(const game::Level& level, const Inputs& inputs);
 
+/// Returns random buttons with which a cord exists in some tick, where the level has none before a line arrives: those
+/// of the first of 24 seeds. If there are none, those of the seed.
+Inputs random_inputs_with_cords(const game::Level& level, unsigned seed, int ticks);
+
 /// Returns up to `count` of 24 random players, of two seconds each: one after the other the one that holds or touches
 /// the most cords that none before it does. A player that meets no cord shows no setting to be too cheap, so that a
 /// study which judges by one player recommends what fails with the next one.

@@ -70,9 +70,11 @@ TEST(Players, MeetWhatTheyHoldAndTouch) {
   EXPECT_TRUE(idle.touched.empty());
 }
 
-/// Nobody throws a line: there is nothing to judge by.
+/// Without a ring no line can be thrown: there is nothing to judge by.
 TEST(Players, WithoutACordThereAreNone) {
-  const game::Level level = LevelFile(TEST_ASSETS "/levels/slingshot.tmj").level();
+  game::Level level = LevelFile(TEST_ASSETS "/levels/slingshot.tmj").level();
+  EXPECT_FALSE(players_that_meet_cords(level, 0, 2).empty());
+  level.hooks.clear();
   EXPECT_TRUE(players_that_meet_cords(level, 0, 2).empty());
 }
 
@@ -136,6 +138,20 @@ TEST_F(WithOtherPlayers, AKnownStudyNeedsNoRunOfThem) {
     EXPECT_GT(first.settings[k].others.error_m, 0.0);
     EXPECT_EQ(again.settings[k].others.error_m, first.settings[k].others.error_m);
   }
+}
+
+/// The level has no cord until a line arrives.
+TEST(Players, ARandomPlayerThrowsALineWhereNothingElseIsACord) {
+  const game::Level level = game::load_level("long_line");
+  int with_cords = 0;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const Inputs inputs = random_inputs_with_cords(level, seed, 120);
+    EXPECT_EQ(inputs.size(), 120U);
+    with_cords += meetings_of(level, inputs).any_cord ? 1 : 0;
+  }
+  EXPECT_EQ(with_cords, 3);
+  const game::Level with_ropes = game::load_level("first_swing");
+  EXPECT_EQ(random_inputs_with_cords(with_ropes, 5, 30).front().buttons, random_inputs(5, 30).front().buttons);
 }
 
 }  // namespace

@@ -21,6 +21,10 @@ Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs) {
   return about;
 }
 
+AccuracyChange end_of_reference(const Mesh& mesh, const Trace& left, const Trace& right) {
+  return {agreeing_ticks(left, right, ribbon::study::max_probe_difference), accuracy_of(probe(mesh))};
+}
+
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks) {
   if (!run.failure.empty()) return run.failure;
   std::string tunnelling = tunnelling_failure(run.crossings, reference.crossings, reference.declared, ticks);

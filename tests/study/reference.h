@@ -28,6 +28,10 @@ struct ReferenceRuns {
 };
 Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs);
 
+/// Returns where converged runs take the probe's setting: after the ticks in which the probes agree. From there on no
+/// path is compared, only statistics, and what goes through what.
+AccuracyChange end_of_reference(const Mesh& mesh, const Trace& left, const Trace& right);
+
 /// Returns why a run does not count: it became unstable, tunnelled where its reference did not (see
 /// tunnelling_failure), or did not converge in all ticks; empty if it counts.
 std::string failure_of(const Trace& run, const Trace& reference, std::size_t ticks);

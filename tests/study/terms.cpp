@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/replay/replay.h"
+#include "ribbon/study/conditions.h"
 #include "tests/study/text.h"
 #include "tests/support/contact_figures.h"
 #include "tests/tradeoff/measure.h"
@@ -15,8 +16,7 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double disturbance = 1e-10;  // m
-constexpr double visible = 1e-2;       // m
+constexpr double visible = 1e-2;  // m
 constexpr int repeats = 7;
 constexpr double noise_share = 0.02;    // of the cost
 constexpr double pushing_share = 1e-3;  // of a cord's weight
@@ -182,13 +182,18 @@ bool pushes(const ribbon::Cord& cord, double gravity) {
                      [most](double tension) { return tension < -most; });
 }
 
+std::size_t comparable_ticks(const LevelFile& file, std::span<const engine::TickInput> inputs) {
+  const game::Level moderate = file.with(probe({}));
+  return agreeing_ticks(kicked_run(moderate, inputs, -ribbon::study::probe_kick),
+                        kicked_run(moderate, inputs, ribbon::study::probe_kick), ribbon::study::max_probe_difference);
+}
+
 Terms try_terms(const LevelFile& file, const std::string& replay_path, const std::function<void(double)>& progress) {
   const std::vector<engine::TickInput> inputs = inputs_of(engine::load_replay(replay_path));
   const game::Level original = file.level();
   const Trace trace = run(original, inputs);
-  const Trace disturbed = run(file.displaced(disturbance), inputs);
   Terms terms;
-  terms.ticks = agreeing_ticks(trace, disturbed, visible);
+  terms.ticks = comparable_ticks(file, inputs);
   terms.missing = find_symptoms(file, inputs);
 
   std::vector<Trial> trials = trials_of(file);

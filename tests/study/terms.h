@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,16 @@ struct Symptom {
 struct Terms {
   std::vector<TermResult> results;  ///< of declared terms, then of undeclared ones
   std::vector<Symptom> missing;
-  std::size_t ticks = 0;  ///< compared ticks; after them the motion is chaotic
+  std::size_t ticks = 0;  ///< compared ticks; after them the motion is too sensitive (see comparable_ticks)
 };
 
 /// Removes the declared terms of the cords of the direct solver, one at a time; adds undeclared ones with one natural
 /// value (contacts, tension_only of ropes, area_stiffness 1 of ribbons); and looks for symptoms of undeclared terms.
 Terms try_terms(const LevelFile& file, const std::string& replay_path, const std::function<void(double)>& progress);
+
+/// Returns the number of ticks before the motion is too sensitive to compare paths: the rule of settings' errors (see
+/// ribbon::study::probe_kick).
+std::size_t comparable_ticks(const LevelFile& file, std::span<const engine::TickInput> inputs);
 
 /// Returns a sentence on whether the level needs the term.
 std::string verdict(const TermResult& result);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ribbon/box2d/convert.h"
-#include "ribbon/study/accuracies.h"
 #include "ribbon/study/conditions.h"
 #include "ribbon/study/motion.h"
 
@@ -186,12 +185,15 @@ bool Trace::has_cords() const {
   return std::any_of(cords.begin(), cords.end(), [](const auto& present) { return !present.empty(); });
 }
 
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method) {
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method,
+          const std::optional<AccuracyChange>& change) {
   LevelRun run(level, inputs, method);
   run.reset();
   Recorder recorder(run.simulation().scene(), method);
   TunnellingDetector watch;
+  ribbon::study::Accuracies accuracies;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
+    if (change && k >= change->tick) accuracies.set(run.simulation().scene().coupling(), change->accuracy);
     run.tick();
     run.show();
     recorder.add(run.simulation());
@@ -205,27 +207,37 @@ Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, c
   return std::move(recorder.trace());
 }
 
-Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part) {
-  LevelRun run(level, inputs);
-  run.reset();
-  const Method own;
-  Recorder recorder(run.simulation().scene(), own);
-  ribbon::study::Accuracies accuracies;
-  const std::size_t lead_in = std::min(part.lead_in, part.begin);
-  for (std::size_t k = 0; k < part.begin; ++k) {
-    if (k + lead_in >= part.begin) accuracies.set(run.simulation().scene().coupling(), ribbon::study::lead_in_accuracy);
-    run.tick();
+StartedRun::StartedRun(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
+                       std::size_t lead_in)
+    : run_(level, inputs), inputs_(inputs), begin_(begin) {
+  run_.reset();
+  for (std::size_t k = 0; k < begin; ++k) {
+    if (k + lead_in >= begin) accuracies_.set(run_.simulation().scene().coupling(), ribbon::study::lead_in_accuracy);
+    run_.tick();
   }
-  engine::Scene& scene = run.simulation().scene();
-  if (part.kick != 0.0) ribbon::study::kick(scene.world(), scene.coupling(), part.kick);
-  for (std::size_t k = part.begin; k < std::min(part.begin + part.ticks, inputs.size()); ++k) {
-    accuracies.set(run.simulation().scene().coupling(), part.accuracy, part.by_cord);
-    run.tick();
-    recorder.add(run.simulation());
+}
+
+Trace StartedRun::finish(std::size_t ticks, const PartSetting& setting) {
+  const Method own;
+  engine::Scene& scene = run_.simulation().scene();
+  Recorder recorder(scene, own);
+  if (setting.kick != 0.0) ribbon::study::kick(scene.world(), scene.coupling(), setting.kick);
+  for (std::size_t k = begin_; k < std::min(begin_ + ticks, inputs_.size()); ++k) {
+    accuracies_.set(run_.simulation().scene().coupling(), setting.accuracy, setting.by_cord);
+    run_.tick();
+    recorder.add(run_.simulation());
     recorder.trace().failure = blow_up_of(recorder.trace(), k + 1);
     if (!recorder.trace().failure.empty()) break;
   }
   return std::move(recorder.trace());
+}
+
+Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part) {
+  return StartedRun(level, inputs, part.begin, part.lead_in).finish(part.ticks, part.setting);
+}
+
+Trace kicked_run(const game::Level& level, std::span<const engine::TickInput> inputs, double kick) {
+  return StartedRun(level, inputs, 0).finish(inputs.size(), {std::nullopt, kick});
 }
 
 }  // namespace study

@@ -14,6 +14,7 @@
 #include "engine/tick/input.h"
 #include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
+#include "ribbon/study/accuracies.h"
 #include "tests/study/figures.h"
 #include "tests/study/tunnelling.h"
 #include "tests/tradeoff/measure.h"
@@ -94,23 +95,53 @@ std::vector<engine::TickInput> inputs_of(const engine::Replay& replay);
 /// Returns the middles of a cord's columns, m, from the first to the last.
 std::vector<ribbon::Vec2> middle_line(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord);
 
-/// Runs all inputs, or until a position is NaN or beyond a kilometre.
-Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {});
+/// A change of the accuracy of all cords of the direct solver in a run.
+struct AccuracyChange {
+  std::size_t tick = 0;  ///< the first with it
+  ribbon::Accuracy accuracy;
+};
 
-/// A part of a run.
-struct Part {
-  std::size_t begin = 0;                       ///< tick
-  std::size_t ticks = 0;                       ///< number of ticks, at most
+/// Runs all inputs, or until a position is NaN or beyond a kilometre.
+Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {},
+          const std::optional<AccuracyChange>& change = {});
+
+/// How a part of a run is played.
+struct PartSetting {
   std::optional<ribbon::Accuracy> accuracy{};  ///< of all cords of the direct solver; none: the level's own
-  /// The number of ticks before `begin` that have 16 substeps. Contacts are compliant, and stiffer with more substeps:
-  /// without a lead-in, 64 substeps push apart what presses on the contacts of one.
-  std::size_t lead_in = 0;
-  double kick = 0.0;  ///< m/s, added at `begin` to the horizontal velocity of all points and dynamic bodies
+  double kick = 0.0;  ///< m/s, added at its begin to the horizontal velocity of all points and dynamic bodies
   std::map<ribbon::box2d::CordId, ribbon::Accuracy> by_cord{};  ///< of some cords, in place of `accuracy`
 };
 
-/// Runs a part of the inputs, or until a position is as in `run`. Before it and its lead-in the level has its own
-/// settings, and so has a line in the tick in which it arrives.
+/// A run that has come to a tick, and continues once from there.
+class StartedRun {
+ public:
+  /// Runs the ticks before `begin`: with the level's own settings, the last `lead_in` of them with 16 substeps.
+  /// (Contacts are compliant, and stiffer with more substeps: without a lead-in, 64 substeps push apart what presses on
+  /// the contacts of one.) Stores references to level and inputs.
+  StartedRun(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
+             std::size_t lead_in = 0);
+
+  /// Runs up to `ticks` more ticks, or until a position is as in `run`. A line has the level's own setting in the tick
+  /// in which it arrives.
+  Trace finish(std::size_t ticks, const PartSetting& setting);
+
+ private:
+  LevelRun run_;
+  std::span<const engine::TickInput> inputs_;
+  std::size_t begin_;
+  ribbon::study::Accuracies accuracies_;
+};
+
+/// Runs `ticks` ticks from `begin` on, as a StartedRun does.
+struct Part {
+  std::size_t begin = 0;
+  std::size_t ticks = 0;
+  std::size_t lead_in = 0;
+  PartSetting setting{};
+};
 Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part);
+
+/// Runs all inputs with a kick at the start (see PartSetting).
+Trace kicked_run(const game::Level& level, std::span<const engine::TickInput> inputs, double kick);
 
 }  // namespace study

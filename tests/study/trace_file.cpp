@@ -96,13 +96,25 @@ std::string head_of(const std::string& key, const std::string& content) {
 
 }  // namespace
 
-bool save_trace(const Trace& trace, const std::string& key, const std::string& path) {
+std::string bytes_of(const Trace& trace) {
   Writer writer;
   visit_all(trace, writer);
+  return writer.bytes();
+}
+
+Trace trace_of(const std::string& bytes) {
+  Trace trace;
+  Reader reader(bytes);
+  visit_all(trace, reader);
+  return trace;
+}
+
+bool save_trace(const Trace& trace, const std::string& key, const std::string& path) {
+  const std::string content = bytes_of(trace);
   const std::string beside = path + ".new";
   {
     std::ofstream out(beside, std::ios::binary);
-    out << head_of(key, writer.bytes()) << writer.bytes();
+    out << head_of(key, content) << content;
     out.flush();
     if (!out) return false;
   }
@@ -117,10 +129,7 @@ std::optional<Trace> load_trace(const std::string& key, const std::string& path)
   if (end == std::string::npos) return {};
   const std::string content = all.substr(end + 1);
   if (all.compare(0, end + 1, head_of(key, content)) != 0) return {};
-  Trace trace;
-  Reader reader(content);
-  visit_all(trace, reader);
-  return trace;
+  return trace_of(content);
 }
 
 }  // namespace study

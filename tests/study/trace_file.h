@@ -7,6 +7,11 @@
 
 namespace study {
 
+/// Returns a run as bytes that only this program reads; and the run of such bytes, with the same bits. Precondition of
+/// the latter: the bytes are complete.
+std::string bytes_of(const Trace& trace);
+Trace trace_of(const std::string& bytes);
+
 /// Writes a run to a file, completely or not at all. `key` identifies the run. Returns false if it cannot be written.
 bool save_trace(const Trace& trace, const std::string& key, const std::string& path);
 

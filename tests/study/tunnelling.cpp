@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
@@ -56,6 +57,12 @@ std::vector<char> driven_columns(const ribbon::box2d::Coupling& coupling, ribbon
     if (coupling.cord(cord).kind(p) != ribbon::PointKind::free) driven[static_cast<std::size_t>(p / shape.rows)] = 1;
   }
   return driven;
+}
+
+/// Returns whether the body holds the cord. Then they do not collide.
+bool holds(const b2Body& body, const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
+  const std::optional<ribbon::box2d::CordPoint> place = coupling.body(body).held_place();
+  return place && place->cord == cord;
 }
 
 /// Returns whether the link is, or was, so near that it may have crossed the fixture.
@@ -159,7 +166,8 @@ Crossings TunnellingDetector::detect(const b2World& world, const ribbon::box2d::
       for (std::size_t f = 0; f < fixtures.size(); ++f) {
         const LinkAndPoint was = link_and_point(before, line, k, f);
         const LinkAndPoint is = link_and_point(now, line, k, f);
-        if (is_through(*fixtures[f], was, is, half_thickness)) mark(found, c, through_body);
+        if (is_through(*fixtures[f], was, is, half_thickness) && !holds(*fixtures[f]->GetBody(), coupling, c))
+          mark(found, c, through_body);
       }
     }
   }

@@ -25,7 +25,8 @@ unsigned char declared_contacts(const ribbon::box2d::Coupling& coupling, ribbon:
 /// Detects after every tick what cords crossed. Penetration alone does not count. A middle line crosses a body if
 /// it crosses an edge, is deeper in a polygon than half the cord's thickness, is as near to a circle's centre, or if
 /// the centre of a circle or polygon crosses it on its straight path from one tick to the next. Links at a driven point
-/// are excluded.
+/// are excluded, and the body that holds the cord, which does not collide with it: a slack rope above a gate that it
+/// hangs from folds into the gate.
 class TunnellingDetector {
  public:
   /// `filter` is that of the cords.

@@ -83,6 +83,31 @@ TEST(Tunnelling, ExcludesLinksAtPins) {
   }
 }
 
+TEST(Tunnelling, ExcludesTheBodyThatHoldsTheCord) {
+  for (const bool is_held : {false, true}) {
+    test_support::CoupledWorld world({}, {});
+    world.add(rope());
+    b2Body& ball = world.add_circle(b2_dynamicBody, {2.0, 0.0}, 0.7, 1.0, 0.0);
+    if (is_held) world.hold(0, 4, ball);
+    EXPECT_EQ(TunnellingDetector().detect(world.world, world.coupling, {})[0], is_held ? 0 : through_body);
+  }
+}
+
+/// Why the detector excludes it: a rope that a ball holds at its rim hangs through the ball.
+TEST(Tunnelling, ACordDoesNotCollideWithTheBodyThatHoldsIt) {
+  test_support::CoupledWorld world({});
+  ribbon::CordDef def = rope(0.5);
+  def.points = 21;
+  def.positions = test_support::equally_spaced(def.points, {0.0, 0.5}, {0.1, 0.0});
+  def.damping = 0.1;
+  def.drag = 2.0;
+  world.add(def);
+  b2Body& ball = world.add_circle(b2_staticBody, {0.0, 0.0}, 0.5, 1.0, 0.0);
+  world.hold(0, 0, ball);
+  for (int k = 0; k < 600; ++k) world.tick();
+  EXPECT_LT(length(world.coupling.cord(0).positions()[5]), 0.25);  // deep in it
+}
+
 TEST(Tunnelling, FindsOnlyDeclaredContacts) {
   for (const bool declared : {false, true}) {
     test_support::CoupledWorld world({}, {});

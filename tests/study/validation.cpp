@@ -107,8 +107,8 @@ class PromiseTrial {
 
  private:
   void run(const LevelFile& varied) {
-    const Study chosen_on =
-        (*measure_)(varied, random_inputs(seed_, options_->ticks), options_of(own_settings(), others_in(varied)));
+    const Study chosen_on = (*measure_)(varied, random_inputs_with_cords(varied.level(), seed_, options_->ticks),
+                                        options_of(own_settings(), others_in(varied)));
     const Study counted = by_work(chosen_on);
     const Calibration fit = calibrate(chosen_on);
     std::vector<std::optional<std::size_t>> chosen;  // by promise: the index in retested
@@ -118,7 +118,7 @@ class PromiseTrial {
       chosen.push_back(choice.setting ? std::optional(index_in(retested, chosen_on.settings[*choice.setting].setting))
                                       : std::nullopt);
     }
-    const Inputs other_input = random_inputs(seed_ + 1, options_->ticks);
+    const Inputs other_input = random_inputs_with_cords(varied.level(), seed_ + 1, options_->ticks);
     const bool holds = !meetings_of(varied.level(), other_input).held.empty();
     const Study again = retested.empty() ? Study{} : (*measure_)(varied, other_input, options_of(retested));
     const std::vector<Point> points = applicable(again);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ribbon/study/conditions.h"
+#include "tests/study/run_in_copy.h"
 #include "tests/study/setting.h"
 
 namespace study {
@@ -70,36 +71,41 @@ std::size_t agreeing_body_ticks(const Trace& a, const Trace& b, double most) {
 }
 
 Windows::Windows(const game::Level& level, std::span<const engine::TickInput> inputs, const ribbon::Accuracy& fine,
-                 const ribbon::Accuracy& finer, std::size_t most)
-    : level_(&level), inputs_(inputs) {
+                 const ribbon::Accuracy& finer, std::size_t most) {
   std::vector<Trace> others;
-  const ribbon::Accuracy moderate = accuracy_of(probe({}));
   for (const std::size_t begin : begins_of(inputs.size(), most)) {
-    Window& window = windows_.emplace_back(Window{begin, run(begin, ticks, finer)});
-    const Trace& other = others.emplace_back(run(begin, ticks, fine));
-    const Trace left = run(begin, ticks, moderate, -probe_kick);
-    const Trace right = run(begin, ticks, moderate, probe_kick);
-    const auto agreeing = [&](auto&& count) {
-      return std::min(count(other, window.reference, max_reference_difference),
-                      count(left, right, max_probe_difference));
-    };
-    window.cords = agreeing(agreeing_cord_ticks);
-    window.player = agreeing(agreeing_player_ticks);
-    window.bodies = agreeing(agreeing_body_ticks);
+    const std::size_t size = std::min(ticks, inputs.size() - begin);
+    Window& window =
+        windows_.emplace_back(Window{begin, size, std::make_unique<StartedRun>(level, inputs, begin, lead_in)});
+    others.push_back(set_reference(window, fine, finer));
   }
   agreement_ =
       pooled([&](const Window& window) { return others[static_cast<std::size_t>(&window - windows_.data())]; });
 }
 
-Trace Windows::run(std::size_t begin, std::size_t count, const std::optional<ribbon::Accuracy>& accuracy,
-                   double kick) const {
-  return run_part(*level_, inputs_, {begin, count, accuracy, lead_in, kick});
+/// Where probes differ nothing is compared, so that the references, which are expensive, end there.
+Trace Windows::set_reference(Window& window, const ribbon::Accuracy& fine, const ribbon::Accuracy& finer) {
+  const ribbon::Accuracy moderate = accuracy_of(probe({}));
+  const Trace left = window.run(window.size, {moderate, -probe_kick});
+  const Trace right = window.run(window.size, {moderate, probe_kick});
+  window.cords = agreeing_cord_ticks(left, right, max_probe_difference);
+  window.player = agreeing_player_ticks(left, right, max_probe_difference);
+  window.bodies = agreeing_body_ticks(left, right, max_probe_difference);
+  if (window.longest() == 0) return {};
+  window.reference = window.run(window.longest(), {finer});
+  Trace other = window.run(window.longest(), {fine});
+  window.cords = std::min(window.cords, agreeing_cord_ticks(other, window.reference, max_reference_difference));
+  window.player = std::min(window.player, agreeing_player_ticks(other, window.reference, max_reference_difference));
+  window.bodies = std::min(window.bodies, agreeing_body_ticks(other, window.reference, max_reference_difference));
+  return other;
+}
+
+Trace Windows::Window::run(std::size_t count, const PartSetting& setting) const {
+  return run_in_copy([&] { return start->finish(count, setting); });
 }
 
 WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy, const CordAccuracies& by_cord) const {
-  return pooled([&](const Window& window) {
-    return run_part(*level_, inputs_, {window.begin, window.longest(), accuracy, lead_in, 0.0, by_cord});
-  });
+  return pooled([&](const Window& window) { return window.run(window.longest(), {accuracy, 0.0, by_cord}); });
 }
 
 /// RMS over the compared ticks of all windows.
@@ -135,7 +141,7 @@ double Windows::share(std::size_t Window::*compared) const {
   double all = 0.0;
   for (const Window& window : windows_) {
     some += static_cast<double>(window.*compared);
-    all += static_cast<double>(window.reference.places.size());
+    all += static_cast<double>(window.size);
   }
   return some / all;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,7 +25,7 @@ struct WindowErrors {
 };
 
 /// The errors of a setting in windows of a quarter of a second along a run (multiple shooting). Each starts from the
-/// state that the level's own cords reach, after a lead-in with 16 substeps (see Part::lead_in). In so short a time the
+/// state that the level's own cords reach, after a lead-in with 16 substeps (see StartedRun). In so short a time the
 /// motion often is not yet chaotic, so that motion after the first catch is compared too.
 class Windows {
  public:
@@ -50,21 +51,22 @@ class Windows {
 
  private:
   struct Window {
-    std::size_t begin;       // tick
-    Trace reference;         // from there on
-    std::size_t cords = 0;   // number of ticks in which cords are compared
-    std::size_t player = 0;  // number of ticks in which players are compared
-    std::size_t bodies = 0;  // number of ticks in which bodies are compared
+    std::size_t begin;                  // tick
+    std::size_t size;                   // its number of ticks
+    std::unique_ptr<StartedRun> start;  // at its begin; copies of it continue
+    Trace reference{};                  // from there on
+    std::size_t cords = 0;              // number of ticks in which cords are compared
+    std::size_t player = 0;             // number of ticks in which players are compared
+    std::size_t bodies = 0;             // number of ticks in which bodies are compared
     std::size_t longest() const { return std::max({cords, player, bodies}); }
+    Trace run(std::size_t count, const PartSetting& setting) const;
   };
+  /// Sets the reference and what is compared, and returns the other reference.
+  static Trace set_reference(Window& window, const ribbon::Accuracy& fine, const ribbon::Accuracy& finer);
   double share(std::size_t Window::*compared) const;
-  Trace run(std::size_t begin, std::size_t count, const std::optional<ribbon::Accuracy>& accuracy,
-            double kick = 0.0) const;
   template <typename Run>
   WindowErrors pooled(Run&& run_in) const;
 
-  const game::Level* level_;
-  std::span<const engine::TickInput> inputs_;
   std::vector<Window> windows_;
   WindowErrors agreement_;
 };

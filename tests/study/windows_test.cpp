@@ -53,11 +53,11 @@ TEST(Windows, ARunFromATickStartsInTheStateOfTheLevel) {
   const game::Level level = game::load_level("first_swing");
   const std::vector<engine::TickInput> inputs(40);
   const Trace whole = run(level, inputs);
-  const Trace same = run_part(level, inputs, {25, 10, Accuracy::balanced()});
+  const Trace same = run_part(level, inputs, {25, 10, 0, {Accuracy::balanced()}});
   ASSERT_EQ(same.places.size(), 10U);
   EXPECT_EQ(same.places.front(), whole.places[25]);
   EXPECT_EQ(same.places.back(), whole.places[34]);
-  const Trace other = run_part(level, inputs, {25, 100, Accuracy::fast()});
+  const Trace other = run_part(level, inputs, {25, 100, 0, {Accuracy::fast()}});
   EXPECT_EQ(other.places.size(), 15U);
   EXPECT_NE(other.places.front(), whole.places[25]);
 }
@@ -67,8 +67,8 @@ TEST_F(LevelStudy, AKickChangesAllVelocities) {
   leave_a_loose_cord();
   const game::Level level = game::load_level(level_path);
   const std::vector<engine::TickInput> inputs(10);
-  const Trace left = run_part(level, inputs, {2, 6, {}, 0, -0.1});
-  const Trace right = run_part(level, inputs, {2, 6, {}, 0, 0.1});
+  const Trace left = run_part(level, inputs, {2, 6, 0, {{}, -0.1}});
+  const Trace right = run_part(level, inputs, {2, 6, 0, {{}, 0.1}});
   const Vec2 apart = right.places.back()[0] - left.places.back()[0];
   EXPECT_NEAR(apart.x, 0.2 * 6.0 / 60.0, 1e-3);
   EXPECT_NEAR(apart.y, 0.0, 1e-6);
@@ -92,8 +92,8 @@ TEST(Windows, ALeadInTakesAwayMostOfTheErrorOfTheStart) {
   const std::vector<engine::TickInput> inputs =
       inputs_of(engine::load_replay(TEST_ASSETS "/replays/cut_the_bridge.replay"));
   const auto error_of_one_substep = [&](std::size_t lead_in) {
-    const Trace one = run_part(level, inputs, {264, 15, Accuracy{Integrator::tr_bdf2, 1, 8, 1e-4}, lead_in});
-    const Trace fine = run_part(level, inputs, {264, 15, accuracy_of(reference({}, false, true)), lead_in});
+    const Trace one = run_part(level, inputs, {264, 15, lead_in, {Accuracy{Integrator::tr_bdf2, 1, 8, 1e-4}}});
+    const Trace fine = run_part(level, inputs, {264, 15, lead_in, {accuracy_of(reference({}, false, true))}});
     return difference(one, fine, 15).position_m;
   };
   const double without = error_of_one_substep(0);
@@ -120,6 +120,24 @@ TEST(Windows, ErrorsFallWithTheSubsteps) {
   EXPECT_NEAR(std::log(one / four) / std::log(4.0), 2.0, 0.4);
   EXPECT_LT(windows.agreement().position_m, 0.2 * four);
   EXPECT_EQ(windows.errors(Accuracy{Integrator::tr_bdf2, 32, 8, 1e-7}).position_m, 0.0);
+}
+
+TEST(Windows, SettingsByCordComeBeforeThatOfAll) {
+  const game::Level level = falling_hammock();
+  const std::vector<engine::TickInput> inputs(40);
+  const Accuracy exact{Integrator::tr_bdf2, 32, 8, 1e-7};
+  const Accuracy coarse{Integrator::tr_bdf2, 1, 8, 1e-5};
+  const Windows windows(level, inputs, {Integrator::tr_bdf2, 16, 8, 1e-7}, exact, 20);
+  const auto scene = level.make_scene();
+  Windows::CordAccuracies all_exact, all_coarse;
+  for (const ribbon::box2d::CordId cord : scene->coupling().cords()) {
+    all_exact[cord] = exact;
+    all_coarse[cord] = coarse;
+  }
+  const double error = windows.errors(coarse).position_m;
+  ASSERT_GT(error, 0.0);
+  EXPECT_EQ(windows.errors(coarse, all_exact).position_m, 0.0);
+  EXPECT_EQ(windows.errors(exact, all_coarse).position_m, error);
 }
 
 }  // namespace

@@ -216,7 +216,7 @@ std::vector<Move> slingshot() {
   moves.push_back(run_past(38.3));
   moves.push_back(stand());
   moves.push_back(wait(20));
-  for (Move& move : charge({48.1, 2.9}, 78)) moves.push_back(move);
+  for (Move& move : charge({48.1, 2.9}, 70)) moves.push_back(move);
   moves.push_back(until_goal(right));
   return moves;
 }
@@ -270,11 +270,11 @@ std::vector<Move> long_line() {
   return {run_past(7.0),
           jump(right, 25),
           throw_at({13.0, 13.5}, right),
-          swing_line_and_let_go(right, 0.6),
+          swing_line_and_let_go(right, 0.62),
           throw_at({24.0, 14.0}, right),
-          swing_line_and_let_go(right, 0.6),
+          swing_line_and_let_go(right, 0.48),
           throw_at({34.0, 14.5}, right),
-          swing_line_and_let_go(right, 0.6),
+          swing_line_and_let_go(right, 0.5),
           run_past(44.5),
           stand(),
           throw_at({45.5, 16.5}),

@@ -130,8 +130,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
            arguments.repeats = repeats;
            arguments.repeats_given = true;
          },
-         "Repeats to take the median of, unless given 25 of a scene, 9 of a level, at most 9 in a report, 1 in a quick "
-         "one")
+         "Repeats to take the median of, unless given 25 of a scene, 9 of a level, 3 of a level with --quick, at most "
+         "9 in "
+         "a report, 1 in a quick one")
       ->check(CLI::Range(1, 100000));
   app.add_option("--out", arguments.study.folder, "A folder for the report: CSV, JSON, a plot and a page");
   add_level_options(app, arguments.study);

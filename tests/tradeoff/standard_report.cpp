@@ -62,7 +62,8 @@ int write_level(const StandardReport& report, const std::string& level) {
   study::Command command;
   command.level = level;
   command.quick = report.quick;
-  command.repeats = report.repeats.value_or(report.quick ? 1 : command.repeats);
+  command.repeats = report.repeats;
+  if (report.quick && !command.repeats) command.repeats = 1;
   command.folder = report.folder + "/" + level;
   return study::run(command);
 }

@@ -162,7 +162,12 @@ TEST_F(ThrownLine, ReelsItsPlayerUp) {
   EXPECT_NEAR(simulation.player().line().length(), thrown - 150.0 / 60.0 * 2.5, 1e-6);
   tick(simulation, button_reel_in, 600);
   EXPECT_EQ(simulation.player().line().length(), simulation.player().line().tuning().min_length);
-  EXPECT_LT(length(ring - simulation.player().hand()), 1.5);
+  double sum = 0.0;  // the player swings, and the line is longer where it is fast
+  for (int k = 0; k < 120; ++k) {
+    tick(simulation, 0);
+    sum += length(ring - simulation.player().hand());
+  }
+  EXPECT_LT(sum / 120.0, 1.5);
 }
 
 /// The line's elasticity stores the work of the reel: the player oscillates about the static stretch of the line.
