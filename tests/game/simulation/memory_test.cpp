@@ -48,7 +48,7 @@ struct Ticks {
   int steady = 0;             ///< number of ticks without anything new
   std::vector<int> growing;   ///< steady ticks that allocate
   std::vector<int> new_ones;  ///< other ticks that allocate
-  int longest = 0;            ///< longest sequence of ticks without allocation
+  int longest = 0;            ///< longest sequence of ticks, none of which was steady and allocated
 };
 
 Ticks ticks_of(const std::string& name) {
@@ -64,7 +64,7 @@ Ticks ticks_of(const std::string& name) {
     const bool takes_memory = allocations.so_far() > 0;
     const bool is_new = novelty.is_new(simulation);
     if (simulation.ticks() <= warm_up) continue;
-    stretch = takes_memory ? 0 : stretch + 1;
+    stretch = takes_memory && !is_new ? 0 : stretch + 1;
     ticks.longest = std::max(ticks.longest, stretch);
     if (!is_new) ++ticks.steady;
     if (takes_memory) (is_new ? ticks.new_ones : ticks.growing).push_back(simulation.ticks());
