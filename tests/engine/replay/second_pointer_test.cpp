@@ -105,7 +105,9 @@ TEST(SecondPointer, CutShortKeepsWholeTicks) {
     ASSERT_FALSE(replay.complete);
     ASSERT_GE(replay.ticks.size(), ticks);
     ticks = replay.ticks.size();
-    for (std::uint16_t k = 0; k < ticks; ++k) EXPECT_EQ(replay.ticks[k].input, input_of_tick(k));
+    for (std::size_t k = 0; k < ticks; ++k) {
+      EXPECT_EQ(replay.ticks[k].input, input_of_tick(static_cast<std::uint16_t>(k)));
+    }
   }
   EXPECT_EQ(ticks, 3U);
 }

@@ -181,8 +181,10 @@ TEST_P(Building, ByGamepadAlone) {
 
 TEST_P(Building, TellsWhatIsNotPossible) {
   choose(words::yard_ball);
-  for (std::size_t k = 0; k < Yard::max_things; ++k)
-    click_at({4.0 + 1.1 * static_cast<double>(k % 8), 8.0 + 1.2 * static_cast<double>(k / 8)});
+  for (std::size_t k = 0; k < Yard::max_things; ++k) {
+    const std::size_t row = k / 8;
+    click_at({4.0 + 1.1 * static_cast<double>(k % 8), 8.0 + 1.2 * static_cast<double>(row)});
+  }
   ASSERT_EQ(things().size(), Yard::max_things);
   EXPECT_TRUE(shows("24 of 24 things"));
   click_at({6.0, 6.0});

@@ -85,7 +85,7 @@ TEST(SecondAim, EachStickAimsForItsPlayer) {
 
 /// A level of 40 × 20 m with a ceiling at which lines stick, as a file.
 std::string level_file() {
-  const std::string path = test_support::scratch("for_two.tmj");
+  std::string path = test_support::scratch("for_two.tmj");
   std::ofstream(path) << R"({"type": "map", "version": "1.10", "orientation": "orthogonal", "infinite": false,
     "width": 40, "height": 20, "tilewidth": 32, "tileheight": 32,
     "properties": [{"name": "pixels_per_metre", "type": "int", "value": 32}],
