@@ -30,9 +30,9 @@ struct ContactPair {
   double friction = 0.0;             ///< μ
   double restitution = 0.0;          ///< e
   double tangent_speed = 0.0;        ///< m/s, of the other surface; see RigidCircle
-  Vec2 parting;                      ///< unit vector in which the disc leaves a segment that it coincides with, or zero
-  std::size_t cord = 0;              ///< index of the cord that stores the contact
-  Touch touch;                       ///< the contact as it is stored from step to step
+  Vec2 parting;          ///< unit vector along which the disc leaves a segment that it coincides with, or zero
+  std::size_t cord = 0;  ///< index of the cord that stores the contact
+  Touch touch;           ///< the contact as it is stored from step to step
 
   /// N/m.
   double friction_stiffness() const { return friction_stiffness_ratio * stiffness; }
@@ -41,7 +41,7 @@ struct ContactPair {
 /// What a pass over many pairs reads of each.
 struct PairGeometry {
   int disc, a, b;
-  bool is_mutual;              // of two cords
+  bool is_mutual;              // as in ContactPair
   double contact_distance;     // m
   double initial_penetration;  // m
   double overlap_fraction;     // of contact_distance: nearer, and the centre line of the cord is inside the other

@@ -29,8 +29,8 @@ void ContactSweep::set_path(ContactScene& scene, std::span<const Vec2> from, std
 ///     |o − p| ≥ n·(o − p).
 ///
 /// The right side is linear in time and in p. So the larger approach speed along n of the two ends bounds the approach
-/// on the whole path. A pair that separates is free, at any depth, and so is one that coincides: it has no sides to
-/// change.
+/// on the whole path. A pair that separates is free, at any depth, and so is one of cords that coincides: it has no
+/// sides to change.
 double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance, double max) const {
   const auto displacement = [this](int anchor) { return to_[at(anchor)] - from_[at(anchor)]; };
   const Vec2 disc = displacement(pair.disc);

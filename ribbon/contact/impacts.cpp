@@ -84,7 +84,7 @@ bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> 
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const ContactPair& pair = scene.pairs[k];
     if (!is_hit(k)) continue;
-    const Separation gap = find_separation(state[pair.disc], state[pair.a], state[pair.b]);
+    const Separation gap = separation_of(pair, state[pair.disc], state[pair.a], state[pair.b]);
     if (!(gap.distance < 2.0 * pair.contact_distance) || !is_local_minimum(pair, gap, state.positions)) continue;
     const SlotRow normal = normal_row(state, pair, gap);
     const double kinematic = kinematic_speed(pair, gap, state);

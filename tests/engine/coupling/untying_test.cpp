@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct Laid {
 
 /// Two ropes that meet each other, tied at a point of each.
 struct TiedRopes : GripWorld {
-  TiedRopes(const Laid& laid, const Accuracy& accuracy) {
+  TiedRopes(const Laid& laid, const Accuracy& accuracy,
+            double breaking_force = std::numeric_limits<double>::infinity()) {
     CordDef def = hanging();
     def.cord_contact = true;
     def.radius = 0.03;
@@ -39,7 +41,7 @@ struct TiedRopes : GripWorld {
     def.length = 2.0;
     def.positions = test_support::equally_spaced(21, laid.start, laid.link);
     loose = coupling.add(Cord(def));
-    tie = coupling.tie({held, laid.point, loose, laid.other_point});
+    tie = coupling.tie({held, laid.point, loose, laid.other_point, breaking_force});
   }
   /// Ticks in which nothing is tied; each has to be solved, and to be cheap.
   void untie_and_tick() {
@@ -76,6 +78,19 @@ INSTANTIATE_TEST_SUITE_P(, Untying,
                                                           Laid{50, 0, {0.0, -10.0}, {0.0, -0.1}},     // end to end
                                                           Laid{50, 10, {-1.0, -10.0}, {0.1, 0.0}}),   // below it
                                           testing::ValuesIn(presets)));
+
+TEST(BreakingTie, LetsCordsThatMeetFallApart) {
+  for (const Accuracy& accuracy : presets) {
+    TiedRopes scene({20, 0, {0.0, -4.0}, {0.1, 0.0}}, accuracy, 0.5);  // N, a quarter of the loose rope's weight
+    for (int k = 0; k < free_ticks; ++k) {
+      scene.tick();
+      ASSERT_EQ(scene.coupling.tick_report().unconverged, 0) << "tick " << k;
+      ASSERT_LE(scene.coupling.tick_report().iterations, max_systems) << "tick " << k;
+    }
+    EXPECT_FALSE(scene.coupling.tie(scene.tie).is_valid());
+    EXPECT_LT(scene.loose_point(10).y, -25.0);
+  }
+}
 
 /// A rope across another one stays across it, because neither can pass.
 TEST(UntyingAcross, IsCheap) {
