@@ -167,6 +167,7 @@ void Chain::couple(BlockLdlt& blocks, int first, int first_dual) const {
 void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks,
                  int first, int first_dual, std::span<Vec2> right_side) {
   const double min_compliance = min_dual_compliance / stage.inertia[0];
+  const double proximal_compliance = stage.is_proximal ? min_proximal_compliance / stage.inertia[0] : 0.0;
   for (std::size_t p = 0; p < x.size(); ++p) {
     right_side[at(first) + p] = stage.residual(p, x[p]);
     blocks.add(first + static_cast<int>(p), stage.inertia[p], 0.0, stage.inertia[p]);
@@ -195,8 +196,9 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     blocks.add(a, b, -g * u.x * u.x, -g * u.x * u.y, -g * u.x * u.y, -g * u.y * u.y);
     blocks.add(a, dual, -d.x, 0.0, -d.y, 0.0);
     blocks.add(b, dual, d.x, 0.0, d.y, 0.0);
-    blocks.add(dual, -std::max(mixed.compliance, min_compliance), 0.0, -1.0);
-    right_side[at(dual)] = {-mixed.elongation, 0.0};
+    const MixedBar solved = proximal(mixed, proximal_compliance, tensions[e]);
+    blocks.add(dual, -std::max(solved.compliance, min_compliance), 0.0, -1.0);
+    right_side[at(dual)] = {-solved.elongation, 0.0};
   }
 }
 

@@ -11,7 +11,8 @@ namespace ribbon {
 // make the system singular between two constrained points.
 constexpr double min_singular_compliance = 1e-10;  // of a chain that is solved alone
 constexpr double min_dual_compliance = 1e-12;      // of tensions that stay unknowns of a coupled solve
-constexpr double min_proximal_compliance = 1e-7;   // of tensions that are eliminated first; iterations remove its error
+constexpr double min_proximal_compliance =
+    1e-7;  // of tensions that are found by proximal(); iterations remove its error
 
 // Elongation below which a bar that cannot push is slack, as a share of its length: rounding of the length.
 constexpr double slack_tolerance = 1e-12;
@@ -29,6 +30,17 @@ struct MixedBar {
   double elongation;  ///< m
   double compliance;  ///< m/N
 };
+
+/// Returns the bar for a system that is never stiffer than 1/α₀, if its compliance α is below a minimum α₀: instead of
+/// α·λ⁺ = c + J·δ, the tension λ becomes the solution λ⁺ of
+///
+///     α·λ⁺ + (α₀ − α)(λ⁺ − λ) = c + J·δ,
+///
+/// the proximal point method (Rockafellar 1976). The solution is the same when λ has converged.
+inline MixedBar proximal(const MixedBar& bar, double min_compliance, double tension) {
+  if (bar.compliance >= min_compliance) return bar;
+  return {bar.elongation + (min_compliance - bar.compliance) * tension, min_compliance};
+}
 
 /// Returns the tension at rest [N]; 0 for an inextensible bar, and for a slack one that cannot push.
 inline double static_tension(const MixedBar& bar, bool tension_only) {

@@ -67,21 +67,14 @@ inline MixedBar Links::bar(const Shape& shape, const Link& link, Vec2 d) const {
           compliance(link) / shape.stiffening};
 }
 
-/// Linearises a bar. If its compliance α is below a minimum α₀, it solves α·λ⁺ + (α₀ − α)(λ⁺ − λ) = c + J·δ instead:
-/// the proximal point method (Rockafellar 1976). The solution is the same when λ has converged, and the system is never
-/// stiffer than 1/α₀.
 inline Links::Linearised Links::linearise(const Shape& shape, const Link& link, double tension) const {
   const Vec2 ab = vector(shape.x, link);
   const double size = length(ab);
   const Vec2 d = unit_or(ab, size, {0.0, -1.0});
   const double q2_over_m = point_compliance(shape, link);
-  MixedBar mixed = bar(shape, link, d);
-  if (tension_only_ && is_slack(mixed, tension, q2_over_m, size)) return {d, 0.0, 0.0, 0.0};
-  const double min_compliance = min_proximal_compliance * q2_over_m;
-  if (mixed.compliance < min_compliance) {
-    mixed.elongation += (min_compliance - mixed.compliance) * tension;
-    mixed.compliance = min_compliance;
-  }
+  const MixedBar exact = bar(shape, link, d);
+  if (tension_only_ && is_slack(exact, tension, q2_over_m, size)) return {d, 0.0, 0.0, 0.0};
+  const MixedBar mixed = proximal(exact, min_proximal_compliance * q2_over_m, tension);
   const double stiffness = 1.0 / mixed.compliance;
   return {d, stiffness * mixed.elongation, stiffness, size > 0.0 ? std::max(0.0, tension) / size : 0.0};
 }

@@ -58,6 +58,9 @@ struct Stage {
   static constexpr double definite_geometric_ratio = -0.24;
   /// The least geometric stiffness of a bar of a chain, as a multiple of the smaller inertia of its ends, ≤ 0.
   double min_geometric_ratio = 0.0;
+  /// Bars of chains are proximal() in coupled solves: where more is asked of an inextensible rope than is possible, its
+  /// tensions stay small enough for a definite matrix.
+  bool is_proximal = false;
   std::span<const Block> resistance = {};  ///< N/m, by point, of a medium; empty without one
   bool implicit_euler = false;  ///< the stage is a step of implicit Euler: v = (x − x₀)/q with x₀ = x̃ − q·ṽ
 

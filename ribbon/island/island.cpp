@@ -13,7 +13,8 @@
 namespace ribbon {
 namespace {
 
-constexpr std::size_t heap_cords = 8;      // that touch each other, or more, are a heap
+constexpr std::size_t heap_cords = 8;      // a heap has so many or more,
+constexpr std::size_t heap_pairs = 600;    // and of so many points and links that may touch
 constexpr int max_settled = 6;             // times that a step finds out which cords slip in their grooves
 constexpr std::size_t usual_touches = 16;  // of a cord that may touch something: it has memory for so many
 
@@ -75,8 +76,10 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
 
 /// Returns whether the attempt is a truncated solve. Where everything lies on everything, the error of a few linear
 /// systems is lost in that of the heap. If no cord asks for more than scenery needs, nothing else is tried first.
+/// Energy is not guarded while Newton's method turns cells back, so a smaller heap is truncated then too.
 bool Island::truncates(bool linearised) const {
-  const bool is_heap = state_.members.size() >= heap_cords && !contacts_.empty();
+  const std::size_t pairs = contacts_.scene.pairs.size();
+  const bool is_heap = state_.members.size() >= heap_cords && (pairs >= heap_pairs || (state_.unlocking && pairs > 0));
   return is_heap && linearised != state_.accuracy.soft_contacts;
 }
 

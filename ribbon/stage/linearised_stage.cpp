@@ -18,6 +18,7 @@ constexpr double shrinking = 0.5;   // of the last correction of a truncated sol
 constexpr double far_share = 10.0;  // tolerances: a larger correction is far from the solution
 constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
+constexpr double torn_ratio = 1e7;  // of a tension to the link's inertia times its length: more than anything possible
 constexpr int length_restorations = 3;  // of cords that were stopped
 
 /// N, the largest inertia force of the direction.
@@ -27,6 +28,15 @@ double inertia_force(const StageContext& context, const Stage& stage) {
     max = std::max(max, stage.inertia[p] * length(context.newton.direction()[p]));
   }
   return max;
+}
+
+/// Returns whether a link's tension is larger than anything possible makes it.
+bool is_torn_apart(const IslandState& state, const Stage& stage) {
+  return std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
+    const double most = torn_ratio * stage.inertia[member.first_point] * member.cord->state.rest[0];
+    const auto tensions = IslandState::tensions_of(member, state.tensions);
+    return std::any_of(tensions.begin(), tensions.end(), [most](double tension) { return tension > most; });
+  });
 }
 
 }  // namespace
@@ -97,13 +107,17 @@ void LinearisedStage::begin(const StageContext& context, const StageRequest& req
 
 /// One linearisation.
 LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context, const StageRequest& request,
-                                                    const Stage& stage, int k, Course& course) {
+                                                    Stage& stage, int k, Course& course) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   NewtonSolver& newton = context.newton;
   LinearisedResult& result = course.result;
   const bool others =
       !contacts.empty() && k > 0 && k < contact_searches && contacts.linearise(request.from, state.positions);
+  if (!stage.is_proximal && state.wheels.empty() && is_torn_apart(state, stage)) {  // a wheel slips by the tensions
+    stage.is_proximal = true;
+    if (k > 0) std::fill(state.tensions.begin(), state.tensions.end(), 0.0);
+  }
   append_rows(context, stage);
   if (k >= contact_searches) {
     store_best(context, stage, course);

@@ -55,8 +55,7 @@ class LinearisedStage {
   enum class Iteration { next, ended };
 
   void begin(const StageContext& context, const StageRequest& request) const;
-  Iteration iterate(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
-                    Course& course);
+  Iteration iterate(const StageContext& context, const StageRequest& request, Stage& stage, int k, Course& course);
   void truncate(const StageContext& context, const StageRequest& request, const Stage& stage, Course& course);
   void settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k, Course& course);
   void end(const StageContext& context, const Stage& stage, Course& course);

@@ -67,6 +67,9 @@ const Known scenes[] = {
     {"KeepersLeaveSomeOfTheCord", gentle(Family::reeved, 39, Preset::balanced), "unconverged substeps", unconverged,
      20},
     {"UntiedPointsPart", gentle(Family::tied, 5, Preset::accurate), "unconverged substeps", unconverged, 30},
+    {"CordsThatAreTiedAreNoHeap", gentle(Family::tied, 0, Preset::balanced), "unconverged substeps", unconverged, 40},
+    {"TensionsOfWhatIsTornApartStaySmall", wild(Family::hold_points, 9, Preset::fast), "unconverged substeps",
+     unconverged, 250},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
