@@ -1,7 +1,6 @@
 #include "ribbon/box2d/remembered_search.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace ribbon::box2d {
 namespace {
@@ -30,10 +29,10 @@ bool RememberedSearch::is_current(const BroadPhaseTree& tree, std::span<const Se
   return true;
 }
 
-/// Bit for bit.
+/// A box with NaN is never the same.
 bool RememberedSearch::is_same(const b2TreeNode& node, const Node& before) {
-  return std::memcmp(&node.aabb, &before.aabb, sizeof(b2AABB)) == 0 && node.child1 == before.child1 &&
-         node.child2 == before.child2;
+  return node.aabb.lowerBound == before.aabb.lowerBound && node.aabb.upperBound == before.aabb.upperBound &&
+         node.child1 == before.child1 && node.child2 == before.child2;
 }
 
 /// Returns whether the search goes on below a changed node as it did. What is below a node that overlaps no box does
