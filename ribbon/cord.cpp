@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "ribbon/island/island.h"
+#include "ribbon/linear/fetch.h"
 #include "ribbon/system/cord_parts.h"
 #include "ribbon/system/wheel_points.h"
 
@@ -95,7 +97,7 @@ IslandReport Cord::step(double dt, Vec2 gravity, const Surroundings& surrounding
   check_axles(*this, surroundings);
   if (!island_) {
     island_ = std::make_unique<Island>();
-    reserve(initial_grips);
+    reserve(std::max(initial_grips, parts_->state.holders.capacity()));
   }
   const IslandCord alone{this, surroundings};
   CordReport report;
@@ -122,6 +124,15 @@ Vec2 Cord::holding_force(int point, Vec2 gravity) const {
   return parts_->holding_force(slot(point), gravity);
 }
 Cord::Sweep Cord::sweep() const { return parts_->sweep ? *parts_->sweep : parts_->find_sweep(); }
+void Cord::fetch() const {
+  const CordParts& parts = *parts_;
+  fetch_bytes(&parts.sweep, sizeof parts.sweep);
+  for (const void* const part :
+       std::initializer_list<const void*>{&parts.def.radius, &parts.def.gravity_scale, &parts.def.cord_contact,
+                                          &parts.state.pulleys, &parts.state.asleep}) {
+    fetch_line(part);
+  }
+}
 bool Cord::remembers_sweep() const { return parts_->sweep.has_value(); }
 bool Cord::is_asleep() const { return parts_->state.asleep; }
 bool Cord::meets_cords() const { return parts_->meets_cords(); }
@@ -240,5 +251,7 @@ void Cord::reserve(std::size_t grips) {
   parts_->state.holders.reserve(grips);
   if (island_) island_->reserve(*parts_, grips);
 }
+
+void Cord::free_solver() { island_.reset(); }
 
 }  // namespace ribbon

@@ -91,11 +91,15 @@ class Cord {
     Box box;               ///< m, around its points and their targets
     double speed2 = 0.0;   ///< m²/s², square of the highest speed of a point
     double elastic = 0.0;  ///< J, elastic energy; 0 while the cord sleeps
+    double link = 0.0;     ///< m, rest length of the first link
   };
   /// Returns the bounds. O(1) after a step of a DirectSolver, until the cord is changed; otherwise O(points).
   Sweep sweep() const;
   /// Returns whether the cord is unchanged since a step of a DirectSolver, so that sweep is O(1).
   bool remembers_sweep() const;
+  /// Starts to fetch from memory what this class reads of the cord outside of a step, except its points. A loop over
+  /// many cords calls it for one of the next ones. It changes nothing but the speed.
+  void fetch() const;
 
   /// s, rest time before a cord falls asleep, as b2_timeToSleep.
   static constexpr double time_to_sleep = 0.5;
@@ -156,6 +160,9 @@ class Cord {
 
   /// Reserves memory for steps with up to this many grips; initially for 4.
   void reserve(std::size_t grips);
+  /// Frees the memory for steps by itself, which is most of a rope's: a DirectSolver has its own. The next step by
+  /// itself allocates it again.
+  void free_solver();
 
   /// Returns the contacts of the last step, ordered by the id of what the cord touched: a circle, an edge, another cord
   /// or itself. A contact with another cord is listed by the cord whose point touches.
@@ -225,8 +232,8 @@ class Cord {
 
  private:
   std::unique_ptr<CordParts> parts_;
-  std::unique_ptr<Island>
-      island_;  // for steps by itself; null until the first one of a cord that was made of its parts
+  // For steps by itself. Null after free_solver, and at first if the cord was made of its parts.
+  std::unique_ptr<Island> island_;
 };
 
 }  // namespace ribbon

@@ -10,12 +10,14 @@
 #include "ribbon/island/island.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_parts.h"
+#include "ribbon/system/fetch_cord.h"
 #include "ribbon/system/tie_groups.h"
 
 namespace ribbon {
 namespace {
 
 constexpr int min_points_per_part = 200;  // about 20 µs of work
+constexpr std::size_t fetched_cords = 4;  // that are fetched from memory before they are checked
 
 }  // namespace
 
@@ -52,11 +54,8 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
                         std::span<CordReport> reports, std::span<const Tie> ties) {
   check_step(dt, gravity);
   check_bodies(bodies);
-  for (const IslandCord& cord : cords) {
-    check_surroundings(cord.surroundings, bodies.size(), cord.cord->size(), cord.cord->def().rows);
-    check_axles(*cord.cord, cord.surroundings);
-  }
-  find_ties(cords, ties);
+  check_cords(cords, bodies.size());
+  ties_->find(ties, points_);
   total_ = {};
   island_reports_.clear();
   first_members_.assign(1, 0);
@@ -72,6 +71,9 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     for (std::size_t k = first_of_part_[p]; k < first_of_part_[p + 1]; ++k) {
       const std::size_t first = first_members_[k];
       const std::size_t count = first_members_[k + 1] - first;
+      fetch_member(first + count + 2, fetch_cord);
+      fetch_member(first + count + 1, fetch_parts);
+      fetch_member(first + count, fetch_lists);
       const auto members = std::span<const IslandCord>(members_).subspan(first, count);
       const auto member_reports = std::span(member_reports_).subspan(first, count);
       island_reports_[k] = island_solvers_[p]->step(members, tied_points(k), bodies, dt, gravity, member_reports);
@@ -79,7 +81,7 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
     }
   });
   for (std::size_t k = 0; k < island_reports_.size(); ++k) {
-    if (!members_[first_members_[k]].cord->is_asleep()) total_ += island_reports_[k];
+    total_ += island_reports_[k];  // nothing, if it sleeps
     for (std::size_t m = first_members_[k]; m < first_members_[k + 1]; ++m) {
       member_reports_[m].island = static_cast<int>(k);
       reports[member_cords_[m]] = member_reports_[m];
@@ -87,22 +89,28 @@ void DirectSolver::step(std::span<const IslandCord> cords, std::span<RigidBody> 
   }
 }
 
-void DirectSolver::find_ties(std::span<const IslandCord> cords, std::span<const Tie> ties) {
+/// Checks the cords, and lists the sizes of all and those that meet others. So the step reads a cord, which may be far
+/// from the processor, once before it solves it.
+void DirectSolver::check_cords(std::span<const IslandCord> cords, std::size_t bodies) {
   points_.clear();
-  for (const IslandCord& cord : cords) points_.push_back(cord.cord->size());
-  ties_->find(ties, points_);
+  contact_cords_.clear();
+  for (std::size_t k = 0; k < cords.size(); ++k) {
+    if (k + fetched_cords < cords.size()) cords[k + fetched_cords].cord->fetch();
+    const Cord& cord = *cords[k].cord;
+    check_surroundings(cords[k].surroundings, bodies, cord.size(), cord.def().rows);
+    check_axles(cord, cords[k].surroundings);
+    points_.push_back(cord.size());
+    if (cord.meets_cords()) contact_cords_.push_back(k);
+  }
 }
 
 /// Finds the boxes of cords that may touch each other.
 void DirectSolver::find_swept_boxes(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt,
                                     Vec2 gravity) {
-  contact_cords_.clear();
   swept_boxes_.clear();
   link_boxes_.clear();
   first_links_.clear();
-  for (std::size_t k = 0; k < cords.size(); ++k) {
-    if (!cords[k].cord->meets_cords()) continue;
-    contact_cords_.push_back(k);
+  for (const std::size_t k : contact_cords_) {
     first_links_.push_back(link_boxes_.size());
     swept_boxes_.push_back(add_swept_boxes(cords[k], bodies, dt, gravity));
   }
@@ -193,17 +201,22 @@ std::span<const TiedPoint> DirectSolver::tied_points(std::size_t island) const {
   return ties_->points().subspan(first_tied_[island], first_tied_[island + 1] - first_tied_[island]);
 }
 
+/// Fetches a member that will be solved soon, if there is one with that index.
+void DirectSolver::fetch_member(std::size_t member, void (*fetch)(const Cord&)) const {
+  if (member < members_.size()) fetch(*members_[member].cord);
+}
+
 /// Divides the islands, in their order, into parts with similar numbers of points. Returns the number of parts.
 int DirectSolver::divide_into_parts() {
   const std::size_t count = at(islands());
   std::size_t points = 0;
-  for (const IslandCord& member : members_) points += at(member.cord->size());
+  for (const int of_cord : points_) points += at(of_cord);
   const int max_parts = std::min(islands(), parallel_for_.parts(static_cast<int>(points), min_points_per_part));
   first_of_part_.clear();
   std::size_t before = 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (before * at(max_parts) >= points * first_of_part_.size()) first_of_part_.push_back(k);
-    for (std::size_t m = first_members_[k]; m < first_members_[k + 1]; ++m) before += at(members_[m].cord->size());
+    for (std::size_t m = first_members_[k]; m < first_members_[k + 1]; ++m) before += at(points_[member_cords_[m]]);
   }
   const int parts = static_cast<int>(first_of_part_.size());
   first_of_part_.push_back(count);

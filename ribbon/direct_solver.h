@@ -54,7 +54,7 @@ class DirectSolver {
   const IslandReport& total() const { return total_; }
 
  private:
-  void find_ties(std::span<const IslandCord> cords, std::span<const Tie> ties);
+  void check_cords(std::span<const IslandCord> cords, std::size_t bodies);
   void find_islands(std::span<const IslandCord> cords, std::span<const RigidBody> bodies);
   void join_by_body(std::size_t cord, int body, std::span<const RigidBody> bodies);
   void find_swept_boxes(std::span<const IslandCord> cords, std::span<const RigidBody> bodies, double dt, Vec2 gravity);
@@ -65,6 +65,7 @@ class DirectSolver {
   void list_tied_points();
   std::span<const TiedPoint> tied_points(std::size_t island) const;
   int divide_into_parts();
+  void fetch_member(std::size_t member, void (*fetch)(const Cord&)) const;
 
   ParallelFor parallel_for_;
   DisjointSets islands_of_cords_;  // the root is the first cord of an island

@@ -199,10 +199,10 @@ void cut_along(CouplingParts& parts, Vec2 a, Vec2 b) {
 void break_overloaded(CouplingParts& parts) {
   std::vector<std::pair<CordId, int>>& broken = parts.overloaded;
   broken.clear();
-  for (const CoupledCord& cord : std::as_const(parts.cords).active()) {
-    if (!cord.enabled || !cord.is_direct() || cord.direct().is_asleep()) continue;
+  visit_fetched(std::as_const(parts.cords).active(), CordMemory::surroundings, [&broken](const CoupledCord& cord) {
+    if (!cord.enabled || !cord.is_direct() || cord.direct().is_asleep()) return;
     if (const auto link = cord.direct().overloaded_link()) broken.emplace_back(cord.id, *link);
-  }
+  });
   for (const auto& [id, link] : broken) {
     const Cord& cord = parts.cords.at(id).direct();
     const double tension = cord.tension(link);

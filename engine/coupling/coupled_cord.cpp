@@ -1,6 +1,9 @@
 #include "ribbon/box2d/coupled_cord.h"
 
+#include "ribbon/box2d/leaf_search.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -89,6 +92,7 @@ void CoupledCord::reserve() {
   if (auto* thesis = std::get_if<ThesisCord>(&cord)) {
     thesis->reserve(usual_fixtures, usual_fixtures, usual_grips);
   } else {
+    direct().free_solver();
     direct().reserve(usual_grips);
   }
   circles.reserve(usual_fixtures);
@@ -133,6 +137,21 @@ void CoupledCord::clear_surroundings() {
   grip_ids.clear();
   axles.clear();
   tied = false;
+}
+
+void fetch_coupled(const CoupledCord& cord, CordMemory what) {
+  constexpr std::ptrdiff_t cache_line = 64;  // bytes
+  const auto fetch = [](const void* first, const void* last) {
+    const auto* const end = static_cast<const std::byte*>(last);
+    for (const auto* at = static_cast<const std::byte*>(first); at < end; at += cache_line) prefetch(at);
+  };
+  if (what == CordMemory::surroundings) return fetch(&cord, &cord.touching);
+  prefetch(&cord);
+  fetch(&cord.touching, &cord.error + 1);
+}
+
+void fetch_solver(const CoupledCord& cord) {
+  if (cord.is_direct()) cord.direct().fetch();
 }
 
 CordId CordTable::add(std::unique_ptr<CoupledCord> cord) {

@@ -108,6 +108,7 @@ template <typename Base, typename Value>
 struct CordRange {
   Base first, last;
   std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  Value& operator[](std::size_t k) const { return *first[static_cast<std::ptrdiff_t>(k)]; }
   CordIterator<Base, Value> begin() const { return {first}; }
   CordIterator<Base, Value> end() const { return {last}; }
 };
@@ -116,6 +117,28 @@ struct CordRange {
 template <typename Value, typename Pointers>
 auto cord_range(Pointers& cords) {
   return CordRange<decltype(cords.begin()), Value>{cords.begin(), cords.end()};
+}
+
+/// What a loop over many cords reads of each.
+enum class CordMemory : unsigned char {
+  surroundings,  ///< of the cord of the coupling, and some of that of the solver; see Cord::fetch
+  reports        ///< with the contacts, of the cord of the coupling only
+};
+/// Starts to fetch it from memory: first the cord of the coupling, and some time later that of the solver. That changes
+/// nothing but the speed.
+void fetch_coupled(const CoupledCord& cord, CordMemory what);
+void fetch_solver(const CoupledCord& cord);
+
+/// Calls visit(cord) for each cord of a range, and fetches the memory of the next ones meanwhile.
+template <typename Range, typename Visit>
+void visit_fetched(const Range& cords, CordMemory what, Visit&& visit) {
+  constexpr std::size_t far = 8;
+  constexpr std::size_t near = 4;
+  for (std::size_t k = 0; k < cords.size(); ++k) {
+    if (k + far < cords.size()) fetch_coupled(cords[k + far], what);
+    if (what == CordMemory::surroundings && k + near < cords.size()) fetch_solver(cords[k + near]);
+    visit(cords[k]);
+  }
 }
 
 /// The cords of a coupling, by id. References to a cord are valid until it is removed.

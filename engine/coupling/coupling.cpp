@@ -78,18 +78,42 @@ void step_thesis(CouplingParts& parts) {
   }
 }
 
-/// Advances the cords of the direct solver.
-void step_direct(CouplingParts& parts) {
-  const auto& [gravity, dt, medium, medium_time] = parts.conditions;
-  std::vector<RigidBody>& bodies = parts.bodies.rigid;
+/// Lists the cords that the direct solver steps.
+void list_island_cords(CouplingParts& parts) {
+  const StepConditions& conditions = parts.conditions;
   parts.island_cords.clear();
   const bool records_pushes = parts.listener != nullptr && parts.listener->wants_impulses();
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (!cord.is_direct() || !cord.enabled) continue;
-    const Surroundings surroundings{bodies, cord.circles, cord.grips, cord.segments, cord.axles, medium, medium_time};
+  visit_fetched(parts.cords.active(), CordMemory::surroundings, [&](CoupledCord& cord) {
+    if (!cord.is_direct() || !cord.enabled) return;
+    const Surroundings surroundings{parts.bodies.rigid, cord.circles,          cord.grips, cord.segments, cord.axles,
+                                    conditions.medium,  conditions.medium_time};
     cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id), records_pushes});
-  }
+  });
+}
+
+/// Stores the reports of the step by cord. Returns whether a cord may be asleep: then its report is empty.
+bool take_reports(CouplingParts& parts) {
+  std::size_t k = 0;
+  bool any_asleep = false;
+  visit_fetched(parts.cords.active(), CordMemory::reports, [&](CoupledCord& cord) {
+    if (!cord.is_direct() || !cord.enabled) return;
+    if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
+    cord.report = parts.reports[k++];
+    cord.island_report = parts.solver.island_reports()[static_cast<std::size_t>(cord.report.island)];
+    const bool is_awake = cord.island_report != IslandReport{};
+    if (is_awake) cord.island_total += cord.island_report;
+    any_asleep = any_asleep || !is_awake;
+  });
+  return any_asleep;
+}
+
+/// Advances the cords of the direct solver. Returns whether one of them may be asleep.
+bool step_direct(CouplingParts& parts) {
+  const Vec2 gravity = parts.conditions.gravity;
+  const double dt = parts.conditions.dt;
+  std::vector<RigidBody>& bodies = parts.bodies.rigid;
+  list_island_cords(parts);
   const std::span<const Tie> ties = parts.ties.of_step(parts.cords);
   parts.reports.resize(parts.island_cords.size());
   if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity, ties);
@@ -97,15 +121,10 @@ void step_direct(CouplingParts& parts) {
   if (parts.watcher != nullptr) parts.watcher->before(input);
   parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports, ties);
   if (parts.watcher != nullptr) parts.watcher->after(input, parts.solver.island_reports(), parts.solver.total());
-  std::size_t k = 0;
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (!cord.is_direct() || !cord.enabled) continue;
-    if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
-    cord.report = parts.reports[k++];
-    cord.island_report = parts.solver.island_reports()[static_cast<std::size_t>(cord.report.island)];
-    if (!cord.direct().is_asleep()) cord.island_total += cord.island_report;
-  }
+  const bool any_asleep = take_reports(parts);
+  const bool records_pushes = !parts.island_cords.empty() && parts.island_cords.front().records_pushes;
   if (records_pushes) report_impulses(parts.cords, parts.fixtures, *parts.listener, parts.impulses);
+  return any_asleep;
 }
 
 /// Gives a body the impulse of cords of the thesis's solver. The cord gets what single precision rounds off.
@@ -258,7 +277,6 @@ void Coupling::gather(b2World& world, double dt) {
   wake_what_touched_cords_that_are_gone(parts);
   const auto index_of = [&parts](b2Body& body) { return parts.bodies.index_of(body, parts.carry, parts.conditions); };
   for (CoupledCord& cord : parts.cords.active()) {
-    cord.clear_surroundings();
     Gatherer::add_shapes_of(cord, parts.conditions, index_of, parts.listener);
   }
   parts.grips.gather(parts.cords, dt, [&](b2Body& body) {
@@ -287,12 +305,12 @@ void Coupling::step() {
   Gatherer::activate_changed(parts.cords);
   parts.sensors.find_events(parts.cords, parts.fixtures, parts.listener);
   step_thesis(parts);
-  step_direct(parts);
+  const bool any_asleep = step_direct(parts);
   parts.grips.follow(parts.cords, parts.conditions.gravity);
   parts.touches.find_events(parts.cords, parts.fixtures);
   parts.islands = parts.solver.islands() + static_cast<int>(parts.cords.resting().size());
   // What watches steps sees those of all cords.
-  if (!parts.probe && parts.watcher == nullptr) {
+  if (any_asleep && !parts.probe && parts.watcher == nullptr) {
     parts.cords.rest_if([&](CoupledCord& cord) {
       if (!Gatherer::may_rest(cord, parts.conditions)) return false;
       cord.resting_box = cord.direct().sweep().box;

@@ -65,7 +65,7 @@ Box swept_aabb(const Cord& cord, const StepConditions& conditions) {
   const Vec2 fall = cord.def().gravity_scale * gravity;
   double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), fall, dt);
   if (medium != nullptr) distance += direct_margin * dt * medium_delta_v(cord, *medium, time, dt, gravity);
-  return widened(sweep.box, distance + cord.rest_length(0) + cord.def().radius);
+  return widened(sweep.box, distance + sweep.link + cord.def().radius);
 }
 
 /// Adds a circle fixture to a cord of the thesis's solver, if it may reach it.
@@ -122,14 +122,15 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
   if (!same_conditions) cords.activate_if([](const CoupledCord&) { return true; });
   activate_changed(cords);
   load_resting_queries(cords);
-  for (CoupledCord& cord : cords.active()) {
+  visit_fetched(cords.active(), CordMemory::surroundings, [&](CoupledCord& cord) {
     cord.near.clear();
     cord.near_sensors.clear();
+    cord.clear_surroundings();
     cord.swept_aabb = {};
-    if (!cord.enabled) continue;
+    if (!cord.enabled) return;
     cord.swept_aabb = std::visit([&](const auto& of_solver) { return swept_aabb(of_solver, conditions); }, cord.cord);
-    queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near, &cord.near_sensors});
-  }
+    queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), false, &cord.near, &cord.near_sensors});
+  });
   try {
     near_finder_.find(world, queries_, conditions.gravity, conditions.dt, parallel_for);
   } catch (...) {  // of the user's ParallelFor: what was found is cleared for active cords only
@@ -144,13 +145,18 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
 }
 
 void Gatherer::activate_changed(CordTable& cords) {
-  cords.activate_if([](const CoupledCord& coupled) {
+  const auto is_changed = [](const CoupledCord& coupled) {
     const Cord& cord = coupled.direct();
     return !cord.is_asleep() || !cord.remembers_sweep() || !(cord.sweep().box == coupled.resting_box);
-  });
+  };
+  bool any = false;
+  visit_fetched(cords.resting(), CordMemory::surroundings,
+                [&](const CoupledCord& cord) { any = any || is_changed(cord); });
+  if (any) cords.activate_if(is_changed);
 }
 
 bool Gatherer::may_rest(const CoupledCord& cord, const StepConditions& conditions) {
+  if (cord.island_report != IslandReport{}) return false;  // it is awake; this report is at hand, the cord may be far
   if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().meets_cords()) return false;
   if (conditions.medium != nullptr && feels_medium(cord.direct().def())) return false;  // it may change
   if (!cord.near.empty() || !cord.grips.empty() || cord.tied || !cord.touching.empty() || !cord.touching_before.empty())
@@ -164,7 +170,7 @@ void Gatherer::load_resting_queries(CordTable& cords) {
     resting_count_ = 0;
     queries_.clear();
     for (CoupledCord& cord : cords.resting()) {
-      queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), &cord.near, &cord.near_sensors});
+      queries_.push_back({cord.swept_aabb, cord.filter, !cord.is_direct(), true, &cord.near, &cord.near_sensors});
     }
     resting_count_ = queries_.size();
     resting_version_ = cords.resting_version();

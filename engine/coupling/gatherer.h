@@ -29,8 +29,8 @@ class Gatherer {
   /// Returns whether a cord, which was stepped last, may rest: it sleeps, has no grip, touch or cord_contact, and
   /// nothing was found near where it is now.
   static bool may_rest(const CoupledCord& cord, const StepConditions& conditions);
-  /// Turns the fixtures of a cord into circles and edges, ordered by fixture number. `index_of` returns the index of a
-  /// body in the step. The listener, if there is one, decides which fixtures.
+  /// Turns the fixtures of a cord into circles and edges, ordered by fixture number. Costs nothing if there is none.
+  /// `index_of` returns the index of a body in the step. The listener, if there is one, decides which fixtures.
   static void add_shapes_of(CoupledCord& cord, const StepConditions& conditions,
                             const std::function<int(b2Body&)>& index_of, ContactListener* listener);
 

@@ -218,6 +218,7 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
 }
 
 void GripTable::follow(const CordTable& cords, Vec2 gravity) {
+  if (grips_.empty()) return;
   for (BodyGrip& grip : grips_) grip.local_anchor = grip.next_anchor;
   for (const CoupledCord& cord : cords.active()) {
     if (!cord.is_direct()) continue;

@@ -41,6 +41,19 @@ class SearchBox {
 #endif
   }
 
+  /// Returns a box that is larger by a margin [m] on each side, rounded.
+  SearchBox widened(float margin) const {
+    SearchBox larger = *this;
+    for (std::size_t k = 0; k < 4; ++k) larger.ends_[k] -= margin;
+    return larger;
+  }
+  /// Returns whether the other box is in this one.
+  bool contains(const SearchBox& other) const {
+    bool contains = true;
+    for (std::size_t k = 0; k < 4; ++k) contains = contains && ends_[k] <= other.ends_[k];
+    return contains;
+  }
+
  private:
 #if defined(__GNUC__)
   using Ends = float __attribute__((vector_size(4 * sizeof(float))));
@@ -59,6 +72,13 @@ void for_each_box(BoxSet set, Visit&& visit) {
   for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
 }
 
+/// Returns those boxes of a set that overlap another box.
+inline BoxSet overlapped(std::span<const SearchBox> boxes, BoxSet set, const b2AABB& box) {
+  BoxSet inside = 0;
+  for_each_box(set, [&](std::size_t k) { inside |= static_cast<BoxSet>(boxes[k].overlaps(box)) << k; });
+  return inside;
+}
+
 /// The tree of a broad phase, for reading.
 ///
 /// Box2D gives no access to its nodes. But they are elements of one array, ordered by index, and
@@ -75,6 +95,9 @@ class BroadPhaseTree {
   int root_ = b2_nullNode;
 };
 
+/// Starts to fetch a node from memory. There need be no node with that index.
+inline void prefetch_node(const BroadPhaseTree& tree, int index) { prefetch(&tree[index]); }
+
 /// Finds the leaves of a tree that overlap boxes. It searches for many boxes at once and so reads a node near several
 /// of them once only; most of the time of a query of Box2D goes into reading nodes.
 class LeafSearch {
@@ -82,40 +105,42 @@ class LeafSearch {
   static constexpr std::size_t max_boxes = 64;
 
   /// Reserves memory for so many nodes on one level of the tree.
-  void reserve(std::size_t nodes) { open_.reserve(2 * nodes); }
+  void reserve(std::size_t nodes) { visits_.reserve(2 * nodes); }
   /// Calls take(leaf, set), with the index of the leaf, for each leaf that overlaps some of the boxes, 1 …
   /// max_boxes of them. `take` may shrink boxes. O(nodes near the boxes).
   ///
   /// It goes through the tree level by level. So the memory of a node is fetched long before the node is read.
   template <typename Take>
   void find(const BroadPhaseTree& tree, std::span<const SearchBox> boxes, Take&& take) {
-    open_.clear();
-    if (tree.root() != b2_nullNode) open_.push_back({tree.root(), ~BoxSet{0} >> (max_boxes - boxes.size())});
-    for (std::size_t next = 0; next < open_.size(); ++next) {
-      const Open open = open_[next];
-      const b2TreeNode& node = tree[open.node];
-      BoxSet inside = 0;
-      for_each_box(open.boxes,
-                   [&](std::size_t k) { inside |= static_cast<BoxSet>(boxes[k].overlaps(node.aabb)) << k; });
+    visits_.clear();
+    if (tree.root() != b2_nullNode) visits_.push_back({tree.root(), ~BoxSet{0} >> (max_boxes - boxes.size()), 0});
+    for (std::size_t next = 0; next < visits_.size(); ++next) {
+      const int index = visits_[next].node;
+      const b2TreeNode& node = tree[index];
+      const BoxSet inside = overlapped(boxes, visits_[next].boxes, node.aabb);
+      visits_[next].inside = inside;
       if (inside == 0) continue;
       if (node.IsLeaf()) {
-        take(open.node, inside);
+        take(index, inside);
       } else {
-        prefetch(&tree[node.child1]);
-        prefetch(&tree[node.child2]);
-        open_.push_back({node.child1, inside});
-        open_.push_back({node.child2, inside});
+        prefetch_node(tree, node.child1);
+        prefetch_node(tree, node.child2);
+        visits_.push_back({node.child1, inside, 0});
+        visits_.push_back({node.child2, inside, 0});
       }
     }
   }
+  /// A node that a search has read.
+  struct Visit {
+    int node;
+    BoxSet boxes;   ///< that overlap its parent
+    BoxSet inside;  ///< that overlap it
+  };
+  /// Returns the nodes that the last search has read, in this order.
+  std::span<const Visit> visits() const { return visits_; }
 
  private:
-  /// A node to visit, and the boxes that overlap its parent.
-  struct Open {
-    int node;
-    BoxSet boxes;
-  };
-  std::vector<Open> open_;  // visited ones first
+  std::vector<Visit> visits_;  // and, during a search, behind them the nodes that it will read
 };
 
 }  // namespace ribbon::box2d

@@ -12,9 +12,13 @@ namespace {
 
 constexpr double travel_margin = 4.0;   // multiples of the distance that a body moves in a tick if nothing pushes it
 constexpr double min_rounding = 1e-30;  // m
-constexpr int min_cords_per_task = 64;
+constexpr std::size_t group_size = LeafSearch::max_boxes;
+constexpr int min_groups_per_task = 1;
 constexpr int cache_line = 64;       // bytes
 constexpr int bodies_per_leaf = 30;  // that are walked through in the time that it takes to test a leaf
+constexpr int list_again = 256;      // ticks after which distant leaves are counted again
+constexpr float skin = 0.05F;        // m, by which the box of a search that is remembered is larger than asked for
+constexpr int max_failures = 5;      // a remembered search that was of no use this often is tried every 2⁵ ticks
 
 bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for NaN
 
@@ -103,67 +107,100 @@ void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
   tasks_.front().distant.reserve(leaves);
   tasks_.front().found.reserve(leaves);
   tasks_.front().search.reserve(leaves);
+  while (groups_.size() * group_size < cords) {
+    groups_.emplace_back();
+    groups_.back().search.reserve(2 * leaves);
+  }
   by_x_.reserve(cords);
 }
 
 /// A fixture whose box in the tree is not near a cord matters only if its body moves. Such fixtures are tested one by
 /// one as long as that takes less time than a walk through all bodies; otherwise the moving bodies are walked through.
+/// Where there were too many, they are counted again only from time to time.
 void NearFinder::find(b2World& world, std::span<const NearQuery> queries, Vec2 gravity, double dt,
                       const ParallelFor& parallel_for) {
   const BroadPhaseTree tree(world.GetContactManager().m_broadPhase);
   if (tree.root() == b2_nullNode) return;
   dt_ = dt;
   fall_ = length(gravity) * dt * dt;
-  const int parts = parallel_for.parts(static_cast<int>(queries.size()), min_cords_per_task);
+  const std::size_t groups = (queries.size() + group_size - 1) / group_size;
+  groups_.resize(std::max(groups_.size(), groups));
+  const int parts = parallel_for.parts(static_cast<int>(groups), min_groups_per_task);
   const auto count = static_cast<std::size_t>(parts);
   tasks_.resize(std::max(tasks_.size(), count));
   max_distant_ = static_cast<std::size_t>(world.GetBodyCount() / (bodies_per_leaf * parts));
+  lists_distant_ = ticks_without_list_ % list_again == 0;
+  is_recount_ = lists_distant_ && ticks_without_list_ > 0;
   parallel_for(parts, [&](int part) {
     const auto k = static_cast<std::size_t>(part);
-    run(tasks_[k], tree, queries, queries.size() * k / count, queries.size() * (k + 1) / count);
+    run(tasks_[k], tree, queries, groups * k / count, groups * (k + 1) / count);
   });
   const auto tasks = std::span(tasks_).first(count);
   if (!std::all_of(tasks.begin(), tasks.end(), [](const Task& task) { return task.lists_distant; })) {
+    ++ticks_without_list_;
     test_moving_bodies(world, queries);
     return;
   }
+  ticks_without_list_ = 0;
   for (const Task& task : tasks) {
     for (const auto& [k, leaf] : task.distant) test(proxy_of(tree[leaf]), queries[k], fall_, dt_);
   }
 }
 
-/// Runs the queries first … last − 1. It changes nothing but their results and the task. Neighbours in the list are
-/// mostly neighbours in the world, so their boxes are searched in groups.
+/// Runs the queries of the groups first … last − 1. It changes nothing but their results, the groups and the task.
+void NearFinder::run(Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> queries, std::size_t first,
+                     std::size_t last) {
+  task.distant.clear();
+  task.found.clear();
+  task.lists_distant = lists_distant_;
+  for (; first < last; ++first) run_group(task, groups_[first], tree, queries, first * group_size);
+}
+
+/// Runs the queries of a group, from query `first` on. Neighbours in the list are mostly neighbours in the world, so
+/// their boxes are searched together.
 ///
 /// Bodies that do not move can only be in the smaller of the two boxes of a cord. While distant leaves are listed, the
 /// search is for the larger one.
-void NearFinder::run(Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> queries, std::size_t first,
-                     std::size_t last) const {
-  task.distant.clear();
-  task.found.clear();
-  task.lists_distant = true;
-  for (; first < last; first += LeafSearch::max_boxes) {
-    const auto group = queries.subspan(first, std::min(LeafSearch::max_boxes, last - first));
-    auto& at_rest = task.at_rest;
-    auto& moving = task.moving;
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      at_rest[k] = search_box(widened(group[k].swept_aabb, travel_margin * fall_));
-      moving[k] = task.lists_distant ? search_box(widened(group[k].swept_aabb, max_travel(fall_))) : at_rest[k];
-    }
-    task.search.find(tree, std::span(moving).first(group.size()), [&](int leaf, BoxSet boxes) {
-      for_each_box(boxes, [&](std::size_t k) {
-        if (at_rest[k].overlaps(tree[leaf].aabb)) {
-          task.found.push_back({&proxy_of(tree[leaf]), &group[k]});
-        } else if (task.lists_distant) {
-          task.distant.emplace_back(first + k, leaf);
-        }
-      });
-      if (!task.lists_distant || task.distant.size() <= max_distant_) return;
-      task.lists_distant = false;
-      moving = at_rest;
-    });
-    test_found(task);
+void NearFinder::run_group(Task& task, Group& group, const BroadPhaseTree& tree, std::span<const NearQuery> queries,
+                           std::size_t first) {
+  const auto of_group = queries.subspan(first, std::min(group_size, queries.size() - first));
+  for (std::size_t k = 0; k < of_group.size(); ++k) {
+    task.at_rest[k] = search_box(widened(of_group[k].swept_aabb, travel_margin * fall_));
+    task.moving[k] =
+        task.lists_distant ? search_box(widened(of_group[k].swept_aabb, max_travel(fall_))) : task.at_rest[k];
   }
+  const auto boxes = std::span(task.moving).first(of_group.size());
+  const auto take = [&](int leaf, BoxSet set) { take_leaf(task, tree, of_group, first, leaf, set); };
+  if (group.lists_distant == task.lists_distant && group.search.is_current(tree, boxes)) {
+    group.failures = 0;
+    for (const RememberedSearch::Leaf& leaf : group.search.leaves()) take(leaf.node, leaf.boxes);
+  } else if (group.pause > 0 || is_recount_) {
+    group.pause = std::max(group.pause - 1, 0);
+    task.search.find(tree, boxes, take);
+  } else {
+    group.lists_distant = task.lists_distant;
+    group.pause = (1 << group.failures) - 1;
+    group.failures = std::min(group.failures + 1, max_failures);
+    for (std::size_t k = 0; k < boxes.size(); ++k) boxes[k] = boxes[k].widened(of_group[k].rests ? 0.0F : skin);
+    group.search.search(task.search, tree, boxes);
+    for (const RememberedSearch::Leaf& leaf : group.search.leaves()) take(leaf.node, leaf.boxes);
+  }
+  test_found(task);
+}
+
+/// Takes a leaf that overlaps some boxes of a group, or of a search for larger boxes.
+void NearFinder::take_leaf(Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> queries,
+                           std::size_t first, int leaf, BoxSet boxes) const {
+  for_each_box(boxes, [&](std::size_t k) {
+    if (task.at_rest[k].overlaps(tree[leaf].aabb)) {
+      task.found.push_back({&proxy_of(tree[leaf]), &queries[k]});
+    } else if (task.lists_distant) {
+      task.distant.emplace_back(first + k, leaf);
+    }
+  });
+  if (!task.lists_distant || task.distant.size() <= max_distant_) return;
+  task.lists_distant = false;
+  task.moving = task.at_rest;
 }
 
 /// Tests what a search found near cords. Proxies, fixtures and bodies are far apart in memory, so those of all results

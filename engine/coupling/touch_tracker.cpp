@@ -27,6 +27,10 @@ void add_touches(const Cord& cord, std::vector<FixtureTouch>& touching) {
   }
 }
 
+/// Returns whether a cord may have contacts with a force. One that sleeps keeps those that it had, and its report is
+/// empty.
+bool may_touch(const CoupledCord& cord) { return cord.report.contacts > 0 || cord.island_report == IslandReport{}; }
+
 bool contains(std::span<const FixtureTouch> touches, std::uint64_t fixture) {
   return std::any_of(touches.begin(), touches.end(),
                      [fixture](const FixtureTouch& touch) { return touch.fixture == fixture; });
@@ -38,14 +42,14 @@ void TouchTracker::find_events(CordTable& cords, const FixtureIds& fixtures) {
   events_.clear();
   for (const EndingTouch& ending : ending_) report(ending.cord, false, ending.touch, fixtures);
   ending_.clear();
-  for (CoupledCord& cord : cords.active()) {
-    if (!cord.is_direct()) continue;
+  visit_fetched(cords.active(), CordMemory::reports, [&](CoupledCord& cord) {
+    if (!cord.is_direct()) return;
     cord.touching_before.swap(cord.touching);
     cord.touching.clear();
-    if (cord.enabled) add_touches(cord.direct(), cord.touching);
+    if (cord.enabled && may_touch(cord)) add_touches(cord.direct(), cord.touching);
     report_missing(cord.id, false, cord.touching_before, cord.touching, fixtures);
     report_missing(cord.id, true, cord.touching, cord.touching_before, fixtures);
-  }
+  });
   if (events_.empty()) return;
   const auto by_cord = [](const TouchEvent& a, const TouchEvent& b) { return a.cord < b.cord; };
   if (!std::is_sorted(events_.begin(), events_.end(), by_cord)) {

@@ -20,7 +20,6 @@ void Chain::define(const CordDef& def) {
   damping_ = inverse_stiffness_ > 0.0 ? def.damping : 0.0;
   tension_only_ = def.tension_only;
   rest_lengths_.assign(at(def.points) - 1, 0.0);
-  eliminated_.assign(rest_lengths_.size(), {});
 }
 
 void Chain::set_rest_lengths(std::span<const double> lengths) {
@@ -85,7 +84,7 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
 ///
 /// A constrained point has S = 0, a slack link 1/σ = 0. Substitution in the opposite order gives all δ and λ.
 bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                        std::span<Vec2> direction, std::span<double> next) {
+                        std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) {
   const double min_sigma = min_singular_compliance / stage.inertia[0];
   const std::size_t n = x.size();
   Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the next point to eliminate
@@ -121,7 +120,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     const Vec2 p = d - (g * dot(u, sd)) * u;
     const double tension = (mixed.elongation - dot(d, sr)) * inverse_sigma;
     const Vec2 slope = inverse_sigma * p;
-    eliminated_[e] = {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
+    eliminated[e] = {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
 
     const double across = g * (1.0 - g * dot(u, su));
     a.xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
@@ -136,7 +135,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     direction[0] = (1.0 / (a.xx * a.yy - a.xy * a.xy)) * Vec2{a.yy * r.x - a.xy * r.y, a.xx * r.y - a.xy * r.x};
   }
   for (std::size_t e = 0; e + 1 < n; ++e) {
-    const Eliminated& link = eliminated_[e];
+    const EliminatedLink& link = eliminated[e];
     const Vec2 near = direction[e];
     next[e] = link.tension + dot(link.slope, near);
     direction[e + 1] = link.shift + Vec2{dot(link.matrix_x, near), dot(link.matrix_y, near)};

@@ -5,6 +5,7 @@
 #include "ribbon/cord_def.h"
 #include "ribbon/elastic/elasticity.h"
 #include "ribbon/elastic/link.h"
+#include "ribbon/linear/fetch.h"
 
 namespace ribbon {
 
@@ -21,7 +22,7 @@ class Chain final : public Elasticity {
   void leave_out(std::span<const char> links) override { left_out_.assign(links.begin(), links.end()); }
   void add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                   std::span<Vec2> direction, std::span<double> next) override;
+                   std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) override;
   std::size_t dual_count() const override { return rest_lengths_.size(); }
   void order(int first, int first_dual, std::vector<int>& slots, const PointCallback& on_point) const override;
   void couple(BlockLdlt& blocks, int first, int first_dual) const override;
@@ -33,20 +34,10 @@ class Chain final : public Elasticity {
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;
   Vec2 force_on(std::size_t point, const Motion& motion, std::span<const double> tensions) const override;
+  void fetch() const override { fetch_list(rest_lengths_); }
   bool become(const CordDef& def) override;
 
  private:
-  /// An eliminated link: its tension and the step δa of its far end follow from the step δb of its near end,
-  ///
-  ///     λ = tension + slope·δb,     δa = shift + matrix·δb.
-  struct Eliminated {
-    double tension;
-    Vec2 slope;
-    Vec2 shift;
-    Vec2 matrix_x;  // first row
-    Vec2 matrix_y;  // second row
-  };
-
   bool is_left_out(std::size_t link) const { return !left_out_.empty() && left_out_[link] != 0; }
   void define(const CordDef& def);
   double compliance(std::size_t link) const { return rest_lengths_[link] * inverse_stiffness_; }
@@ -60,7 +51,6 @@ class Chain final : public Elasticity {
   bool tension_only_ = false;
   std::vector<double> rest_lengths_;  // m
   std::vector<char> left_out_;        // by link; empty: none
-  std::vector<Eliminated> eliminated_;
 };
 
 }  // namespace ribbon

@@ -10,6 +10,18 @@
 
 namespace ribbon {
 
+/// A link that a Newton step of a chain has eliminated: its tension and the step δa of its far end follow from the step
+/// δb of its near end,
+///
+///     λ = tension + slope·δb,     δa = shift + matrix·δb.
+struct EliminatedLink {
+  double tension;
+  Vec2 slope;
+  Vec2 shift;
+  Vec2 matrix_x;  ///< first row
+  Vec2 matrix_y;  ///< second row
+};
+
 /// Receives the slot of a point.
 using PointCallback = std::function<void(int)>;
 
@@ -49,9 +61,10 @@ class Elasticity {
 
   /// Computes one step of mixed Newton from positions x and the tensions of the last iteration. Writes the
   /// displacements of the points to `direction` [m] and the tensions after a full step to `next`. Returns false if the
-  /// system is singular. Cost: O(points).
+  /// system is singular. `eliminated` is memory of one entry for each tension. It belongs to the solver and not to the
+  /// cord, so that it stays in the cache from cord to cord. Cost: O(points).
   virtual bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                           std::span<Vec2> direction, std::span<double> next) = 0;
+                           std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) = 0;
 
   // The same step in a coupled solve. The slots of the points start at `first`, in sequence, and those of the tensions
   // that stay unknowns at `first_dual`.
@@ -91,6 +104,8 @@ class Elasticity {
                              std::span<const double> /*tensions*/) const {
     return {};
   }
+  /// Starts to fetch from memory what each Newton step reads. It changes nothing but the speed.
+  virtual void fetch() const {}
   /// Becomes the elastic energy of another cord in the same memory, if it can. Returns whether it has.
   virtual bool become(const CordDef& /*def*/) { return false; }
 

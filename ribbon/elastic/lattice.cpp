@@ -106,7 +106,7 @@ Shape Lattice::last_shape(const Stage& stage, std::span<const Vec2> x) const {
 /// part of the elastic Hessian, with the geometric stiffness of the last iteration's tensions; r is the residual of the
 /// stage.
 bool Lattice::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                          std::span<Vec2> direction, std::span<double> next) {
+                          std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> /*eliminated*/) {
   assemble(stage, x, tensions, direction);
   hold_constrained(stage, direction);
   if (!solve(direction)) return false;

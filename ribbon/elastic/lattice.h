@@ -25,7 +25,7 @@ class Lattice final : public Elasticity {
   void add_rotational_damping(const Stage& stage, std::span<const Vec2> x, std::span<double> tensions) const override;
   void set_rest_lengths(std::span<const double> lengths) override;
   bool newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
-                   std::span<Vec2> direction, std::span<double> next) override;
+                   std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) override;
   void order(int first, int first_dual, std::vector<int>& slots, const PointCallback& on_point) const override;
   void couple(BlockLdlt& blocks, int first, int first_dual) const override;
   void load(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, BlockLdlt& blocks, int first,

@@ -21,6 +21,7 @@ void NewtonSolver::resize(std::size_t slots, std::size_t tensions, std::size_t g
   direction_.resize(slots);
   trial_.resize(slots);
   next_.resize(tensions);
+  eliminated_.resize(tensions);
   penalty_.resize(tensions);
   held_steps_.resize(grips);
   carried_.resize(grips);
@@ -69,10 +70,10 @@ bool NewtonSolver::find_single_direction(IslandState& state, Stage stage, Contac
   }
   stage.condensed_bodies = carried_;
   const Member& member = state.members[0];
-  if (!member.cord->elasticity->newton_step(IslandState::stage_of(stage, member), IslandState::points_of(member, x),
-                                            IslandState::tensions_of(member, state.tensions),
-                                            IslandState::points_of(member, direction_),
-                                            IslandState::tensions_of(member, next_))) {
+  if (!member.cord->elasticity->newton_step(
+          IslandState::stage_of(stage, member), IslandState::points_of(member, x),
+          IslandState::tensions_of(member, state.tensions), IslandState::points_of(member, direction_),
+          IslandState::tensions_of(member, next_), IslandState::tensions_of(member, eliminated_))) {
     return false;
   }
   for (std::size_t k = 0; k < state.held.size(); ++k) {

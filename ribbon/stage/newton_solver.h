@@ -63,7 +63,8 @@ class NewtonSolver {
 
   BlockSystem system_;
   std::vector<Vec2> direction_;
-  std::vector<double> next_;  // tensions
+  std::vector<double> next_;                // tensions
+  std::vector<EliminatedLink> eliminated_;  // memory of the step of a single cord, by tension
   std::vector<Vec2> trial_;
   std::vector<double> penalty_;  // slopes, by tension
   std::vector<HeldStep> held_steps_;

@@ -210,6 +210,26 @@ TEST(Cord, AStepAllocatesNothing) {
   EXPECT_GT(report.searches + report.energy_gains, 0) << "the guard takes none either";
 }
 
+/// A coupling does so with each of its cords.
+TEST(CordSameBits, ACordThatFreesItsSolverRunsTheSame) {
+  CordDef def;
+  def.points = 21;
+  def.pins = {0};
+  Cord keeps(def);
+  const test_support::AllocationCount count;
+  Cord frees(def);
+  const long before = count.held();
+  frees.free_solver();
+  EXPECT_LT(count.held(), before / 2);
+  for (int k = 0; k < 10; ++k) {
+    keeps.step(1.0 / 60.0, gravity);
+    const test_support::AllocationCount in_step;
+    frees.step(1.0 / 60.0, gravity);
+    EXPECT_EQ(in_step.so_far() > 0, k == 0) << "step " << k;
+  }
+  EXPECT_EQ(frees.save(), keeps.save());
+}
+
 TEST(CordSameBits, AMoveAssignedCordRunsTheSame) {
   CordDef def;
   def.points = 21;

@@ -10,6 +10,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/engine/coupling/gather_oracle.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 #include "tests/support/refusal.h"
@@ -27,66 +28,6 @@ using test_support::Dice;
 using test_support::filter;
 
 constexpr double dt = 1.0 / 60.0;
-
-using Found = std::vector<std::pair<const b2Fixture*, int>>;
-
-Found sorted(Found found) {
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-bool should_collide(const b2Filter& a, const b2Filter& b) {
-  if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
-  return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
-}
-
-/// m/s and rad/s, as gather finds them: it gives a body that is no longer solver-driven its velocity carry.
-using Speeds = std::map<const b2Body*, std::pair<double, double>>;
-
-Speeds speeds_in(const b2World& world) {
-  Speeds speeds;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    speeds[body] = {static_cast<double>(body->GetLinearVelocity().Length()),
-                    std::abs(static_cast<double>(body->GetAngularVelocity()))};
-  }
-  return speeds;
-}
-
-/// Returns the maximum displacement of a part of a body in a tick by the documentation, m.
-double way_of(const b2Body& body, const Speeds& speeds, const Box& box, double fall) {
-  const Vec2 center = ribbon::box2d::to_double(body.GetWorldCenter());
-  double extent = 0.0;
-  for (const Vec2 corner : {box.low, box.high, Vec2{box.low.x, box.high.y}, Vec2{box.high.x, box.low.y}}) {
-    extent = std::max(extent, length(corner - center));
-  }
-  const auto [straight, turning] = speeds.at(&body);
-  const double speed = straight + turning * extent;
-  return std::min(static_cast<double>(b2_maxTranslation) + 4.0 * fall, 4.0 * (speed * dt + fall));
-}
-
-Found by_looking_at_all(const b2World& world, const Speeds& speeds, const Box& reach, const b2Filter& filter) {
-  const double fall = length(ribbon::box2d::to_double(world.GetGravity())) * dt * dt;
-  Found found;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    if (!body->IsEnabled() || (body->GetType() == b2_dynamicBody && !(body->GetMass() > 0.0F))) continue;
-    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
-      if (f->IsSensor() || !should_collide(f->GetFilterData(), filter)) continue;
-      for (int child = 0; child < f->GetShape()->GetChildCount(); ++child) {
-        const b2AABB& aabb = f->GetAABB(child);
-        const Box box{ribbon::box2d::to_double(aabb.lowerBound), ribbon::box2d::to_double(aabb.upperBound)};
-        if (overlap(box, widened(reach, way_of(*body, speeds, box, fall)))) found.emplace_back(f, child);
-      }
-    }
-  }
-  return sorted(found);
-}
-
-Found by_gather(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId cord) {
-  Found found;
-  for (const ribbon::box2d::NearShape& shape : coupling.cord(cord).near())
-    found.emplace_back(shape.fixture, shape.child);
-  return sorted(found);
-}
 
 /// A world with random changes between ticks.
 class RandomWorld {
@@ -210,12 +151,13 @@ void check_scenes(unsigned first, unsigned last) {
     RandomWorld random(seed);
     for (int k = 0; k < 3; ++k) {
       random.disturb();
-      const Speeds speeds = speeds_in(random.world);
+      const gather_oracle::Speeds speeds = gather_oracle::speeds_in(random.world);
       random.coupling.gather(random.world, dt);
       for (ribbon::box2d::CordId c = 0; c < random.coupling.size(); ++c) {
-        const Found wanted =
-            by_looking_at_all(random.world, speeds, random.coupling.cord(c).swept_aabb(), random.filter(c));
-        ASSERT_EQ(by_gather(random.coupling, c), wanted) << "seed " << seed << ", tick " << k << ", cord " << c;
+        const gather_oracle::Found wanted = gather_oracle::by_looking_at_all(
+            random.world, speeds, random.coupling.cord(c).swept_aabb(), random.filter(c), dt);
+        ASSERT_EQ(gather_oracle::by_gather(random.coupling, c), wanted)
+            << "seed " << seed << ", tick " << k << ", cord " << c;
         all += wanted.size();
       }
       random.tick();
