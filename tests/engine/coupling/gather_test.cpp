@@ -10,6 +10,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 #include "tests/support/refusal.h"
@@ -20,13 +21,12 @@
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Box;
 using ribbon::CordDef;
 using ribbon::Vec2;
 using test_support::Dice;
 using test_support::filter;
-
-constexpr double dt = 1.0 / 60.0;
 
 using Found = std::vector<std::pair<const b2Fixture*, int>>;
 
