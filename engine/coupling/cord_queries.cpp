@@ -152,6 +152,8 @@ struct CordQueries::Parts {
     BoxVisitor<const decltype(visit_block)> visitor{tree, visit_block};
     tree.Query(&visitor, box);
   }
+  /// The hit of a ray that enters a link of a cord at a fraction of its length.
+  RayHit hit_at(const Entry& cord, const Link& link, Vec2 from, Vec2 ray, double fraction) const;
 };
 
 void CordQueries::Parts::list(const Coupling& coupling) {
@@ -226,6 +228,31 @@ void CordQueries::update(const Coupling& coupling) {
   }
 }
 
+RayHit CordQueries::Parts::hit_at(const Entry& cord, const Link& link, Vec2 from, Vec2 ray, double fraction) const {
+  const Vec2 a = at(cord, link.a);
+  const Vec2 b = at(cord, link.b);
+  RayHit result;
+  result.cord = cord.id;
+  result.fraction = fraction;
+  result.position = from + fraction * ray;
+  const double share = nearest_share(result.position, a, b);
+  const bool is_across = std::abs(link.a - link.b) != cord.shape.rows && cord.shape.rows > 1;
+  result.point = link.is_reversed ? link.b : link.a;
+  result.along = is_across ? 0.0 : link.is_reversed ? 1.0 - share : share;
+  const Vec2 out = result.position - (a + share * (b - a));
+  const double ray_length = length(ray);
+  const Vec2 against = ray_length > 0.0 ? (-1.0 / ray_length) * ray : Vec2{0.0, 1.0};
+  if (fraction == 0.0) {
+    result.normal = against;
+  } else if (cord.radius > 0.0) {
+    result.normal = (1.0 / length(out)) * out;
+  } else {
+    const Vec2 side = (1.0 / length(b - a)) * perp(b - a);
+    result.normal = dot(side, against) >= 0.0 ? side : -side;
+  }
+  return result;
+}
+
 std::optional<RayHit> CordQueries::ray_cast(Vec2 from, Vec2 to, const QueryFilter& filter) const {
   check_coordinates("from", from);
   check_coordinates("to", to);
@@ -254,27 +281,7 @@ std::optional<RayHit> CordQueries::ray_cast(Vec2 from, Vec2 to, const QueryFilte
     parts_->tree.RayCast(&visitor, input);
   }
   if (hit == nullptr) return std::nullopt;
-  const Vec2 a = parts_->at(*hit, hit_link.a);
-  const Vec2 b = parts_->at(*hit, hit_link.b);
-  RayHit result;
-  result.cord = hit->id;
-  result.fraction = first;
-  result.position = from + first * ray;
-  const double share = nearest_share(result.position, a, b);
-  const bool is_across = std::abs(hit_link.a - hit_link.b) != hit->shape.rows && hit->shape.rows > 1;
-  result.point = hit_link.is_reversed ? hit_link.b : hit_link.a;
-  result.along = is_across ? 0.0 : hit_link.is_reversed ? 1.0 - share : share;
-  const Vec2 out = result.position - (a + share * (b - a));
-  const Vec2 against = ray_length > 0.0 ? (-1.0 / ray_length) * ray : Vec2{0.0, 1.0};
-  if (first == 0.0) {
-    result.normal = against;
-  } else if (hit->radius > 0.0) {
-    result.normal = (1.0 / length(out)) * out;
-  } else {
-    const Vec2 side = (1.0 / length(b - a)) * perp(b - a);
-    result.normal = dot(side, against) >= 0.0 ? side : -side;
-  }
-  return result;
+  return parts_->hit_at(*hit, hit_link, from, ray, first);
 }
 
 std::optional<CordPoint> CordQueries::nearest_place(Vec2 position, double reach, const QueryFilter& filter) const {

@@ -58,14 +58,8 @@ double bend_at(const MapObject& cord, std::size_t corner) {
   return cross(in, out) / (length(in) * length(out));
 }
 
-}  // namespace
-
-bool has_wheels(const MapObject& cord, const TiledMap& map) {
-  return std::any_of(map.objects.begin(), map.objects.end(),
-                     [&cord](const MapObject& object) { return is_wheel_of(object, cord); });
-}
-
-std::vector<WheelDefinition> reeve_around_wheels(const MapObject& cord, const TiledMap& map, ribbon::CordDef& def) {
+/// Returns the wheels of a cord by its corner; nothing if it has none.
+std::vector<WheelDefinition> wheels_by_corner(const MapObject& cord, const TiledMap& map) {
   std::vector<WheelDefinition> by_corner(cord.points.size());
   int count = 0;
   for (const MapObject& object : map.objects) {
@@ -85,7 +79,20 @@ std::vector<WheelDefinition> reeve_around_wheels(const MapObject& cord, const Ti
     by_corner[corner] = wheel;
     ++count;
   }
-  if (count == 0) return {};
+  if (count == 0) by_corner.clear();
+  return by_corner;
+}
+
+}  // namespace
+
+bool has_wheels(const MapObject& cord, const TiledMap& map) {
+  return std::any_of(map.objects.begin(), map.objects.end(),
+                     [&cord](const MapObject& object) { return is_wheel_of(object, cord); });
+}
+
+std::vector<WheelDefinition> reeve_around_wheels(const MapObject& cord, const TiledMap& map, ribbon::CordDef& def) {
+  const std::vector<WheelDefinition> by_corner = wheels_by_corner(cord, map);
+  if (by_corner.empty()) return {};
   std::vector<WheelDefinition> wheels;
   std::vector<ribbon::PulleyDef> pulleys;
   for (std::size_t k = 1; k + 1 < cord.points.size(); ++k) {

@@ -137,18 +137,22 @@ void draw_players(Pen& pen, const Simulation& simulation, const Effects& effects
 
 }  // namespace
 
+bool View::prepare(int height, bool colour_safe, Place place) {
+  if (prepared_height_ == height && prepared_safe_ == colour_safe && prepared_place_ == place) return false;
+  prepared_height_ = height;
+  prepared_safe_ = colour_safe;
+  prepared_place_ = place;
+  stamps_.clear();
+  return true;
+}
+
 void View::draw(engine::Canvas& canvas, double alpha, const ViewOptions& options) {
   const Snapshot now = interpolate(simulation_->previous(), simulation_->current(), alpha);
   const double time = (simulation_->run_ticks() + alpha) / ticks_per_second;
   const Place place = simulation_->level().place;
   const Palette& colors = palette(options.colour_safe, place);
   Pen pen{canvas, colors, textures(options.colour_safe, place), time, options.reduced_motion, place, &stamps_};
-  pen.prepares =
-      prepared_height_ != canvas.height() || prepared_safe_ != options.colour_safe || prepared_place_ != place;
-  prepared_height_ = canvas.height();
-  prepared_safe_ = options.colour_safe;
-  prepared_place_ = place;
-  if (pen.prepares) stamps_.clear();
+  pen.prepares = prepare(canvas.height(), options.colour_safe, place);
   effects_.follow(pen.colors, pen.reduced_motion);
   const FigureState figure = figure_of(*simulation_, now, time);
   const bool in_part = options.free.size.x >= 1.0 && options.free.size.y >= 1.0;

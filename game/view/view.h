@@ -54,6 +54,9 @@ class View {
   void draw(engine::Canvas& canvas, double alpha, const ViewOptions& options);
 
  private:
+  /// Drops the stamps if they were made for another look. Returns whether they are to be made.
+  bool prepare(int height, bool colour_safe, Place place);
+
   const Simulation* simulation_;
   Effects effects_;
   Stamps stamps_;

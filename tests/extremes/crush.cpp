@@ -2,21 +2,20 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
 
 #include "tests/extremes/balls.h"
 #include "tests/extremes/table.h"
+#include "tests/support/constants.h"
 
 // Cords between kinematic circles, and circles that appear inside a cord. No gravity, no pins.
 
 namespace extremes {
 namespace {
 
+using constants::dt;
+using constants::infinity;
 using ribbon::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60.0;
 constexpr int links = 20;
 constexpr double link = 0.05;  // m
 

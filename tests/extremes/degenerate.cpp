@@ -1,19 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "tests/extremes/table.h"
+#include "tests/support/constants.h"
 
 // Coincident points and invalid lengths.
 
 namespace extremes {
 namespace {
 
+using constants::dt;
+using constants::infinity;
 using ribbon::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60.0;
 
 ribbon::CordDef cord_of(int rows) {
   ribbon::CordDef def;

@@ -1,20 +1,19 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
 #include "tests/extremes/table.h"
+#include "tests/support/constants.h"
 
 // Anchors, rest lengths and gravity that change more abruptly than in any level.
 
 namespace extremes {
 namespace {
 
+using constants::dt;
+using constants::infinity;
 using ribbon::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60.0;
 constexpr double cord_length = 5.0;
 constexpr Vec2 earth{0.0, -9.81};
 /// The energy that the solver's energy guard may return, divided by M·g·L; see ribbon's README.

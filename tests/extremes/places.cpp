@@ -1,21 +1,20 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "ribbon/geometry/rotation.h"
 #include "tests/extremes/balls.h"
 #include "tests/extremes/table.h"
+#include "tests/support/constants.h"
 
 // The same motion far from the origin and in a rotated world.
 
 namespace extremes {
 namespace {
 
+using constants::dt;
+using constants::infinity;
 using ribbon::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60.0;
 
 struct Place {
   Vec2 origin;

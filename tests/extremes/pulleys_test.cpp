@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -12,6 +11,7 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/pulley.h"
 #include "ribbon/weather.h"
+#include "tests/support/constants.h"
 
 // Random scenes of cords around wheels, with everything that a cord can have and meet.
 
@@ -26,10 +26,10 @@ using ribbon::box2d::CordId;
 using ribbon::box2d::Coupling;
 using ribbon::box2d::PulleyId;
 
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
 constexpr int seeds = 12;
 constexpr int ticks = 200;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 
 class Dice {
  public:

@@ -1,22 +1,21 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "tests/extremes/balls.h"
 #include "tests/extremes/table.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 
 // A lively scene over a long time: its cost and memory must not grow.
 
 namespace extremes {
 namespace {
 
+using constants::dt;
+using constants::gravity;
+using constants::infinity;
 using ribbon::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60.0;
-constexpr Vec2 gravity{0.0, -9.81};
 
 /// Allocations of the candidate vectors: one whenever a size exceeds its maximum so far, which becomes rarer with time.
 constexpr double most_allocations = 4.0;

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 
 #include "tests/extremes/table.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 
 // Starts that no motion reaches. No drive and no gravity: the only energy is that of the initial strain.
@@ -12,11 +12,10 @@
 namespace extremes {
 namespace {
 
+using constants::dt;
+using constants::infinity;
 using ribbon::Vec2;
 using test_support::Dice;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60.0;
 constexpr int ticks = 360;
 
 enum class Start : unsigned char { random, point, collinear, reversed, reflected };

@@ -2,22 +2,21 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <string>
 
 #include "tests/extremes/table.h"
+#include "tests/support/constants.h"
 
 // All combinations of length, width, load, stiffness and step.
 
 namespace extremes {
 namespace {
 
+using constants::infinity;
 using ribbon::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double cord_length = 10.0;  // m; the cord weighs 1 kg
-constexpr double g = 9.81;            // m/s²
-constexpr Vec2 gravity{0.0, -g};
+using constants::g;
+using constants::gravity;
 
 struct Case {
   int points;

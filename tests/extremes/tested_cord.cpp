@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "ribbon/elastic/cell.h"
+#include "tests/support/slot.h"
 #include "tests/support/thesis_scenes.h"
 
 namespace extremes {
 namespace {
 
 using ribbon::Vec2;
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 /// Returns the second row of a rope, which the thesis's method needs, one link to its right.
 std::vector<Vec2> with_second_row(const std::vector<Vec2>& line, double spacing) {

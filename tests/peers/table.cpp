@@ -31,7 +31,7 @@ std::string times(double ratio) {
   return "×" + (ratio < 99.5 ? study::significant(ratio, 2) : study::fixed(10.0 * std::round(ratio / 10.0), 0));
 }
 
-study::Point point_of(const Result& result) {
+study::Point plotted_point_of(const Result& result) {
   return {result.engine,  result.setting, result.cost_us, result.p99_us,
           result.error_m, result.failure, false,          result.group};
 }
@@ -52,7 +52,7 @@ std::vector<Result> of_engine(const std::vector<Result>& results, const std::str
 
 std::vector<study::Point> points_of(const std::vector<Result>& results) {
   std::vector<study::Point> points;
-  std::transform(results.begin(), results.end(), std::back_inserter(points), point_of);
+  std::transform(results.begin(), results.end(), std::back_inserter(points), plotted_point_of);
   return points;
 }
 
@@ -128,7 +128,7 @@ study::Report report_of(const std::string& name, const std::vector<Engine>& engi
   report.axis = scene_of(name).error_name;
   report.columns = {"stretch_pct", "penetration_m", "drift_m", "jitter_m", "crossings"};
   for (const Result& r : results) {
-    report.points.push_back(point_of(r));
+    report.points.push_back(plotted_point_of(r));
     report.cells.push_back({number(100.0 * r.figures.stretch), number(r.figures.penetration), number(r.figures.drift),
                             number(r.figures.jitter), std::to_string(r.figures.crossings)});
   }

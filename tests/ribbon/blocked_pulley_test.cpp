@@ -6,6 +6,7 @@
 
 #include "ribbon/direct_solver.h"
 #include "ribbon/linear/index.h"
+#include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 #include "tests/support/pulleys.h"
 
@@ -14,12 +15,11 @@
 namespace ribbon {
 namespace {
 
+using constants::dt;
+using constants::gravity;
 using test_support::Atwood;
 using test_support::hanging;
 using test_support::Machine;
-
-constexpr double dt = 1.0 / 60.0;    // s
-constexpr Vec2 gravity{0.0, -9.81};  // m/s²
 
 /// What is tied to a cord stops it before the wheel.
 TEST(BlockedPulley, StopsAtATie) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/heavy_swing.h"
 #include "tests/support/points.h"
 #include "tests/support/reference_scenes.h"
@@ -13,8 +13,8 @@
 namespace ribbon {
 namespace {
 
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::gravity;
+using constants::infinity;
 
 // --- at rest ---------------------------------------------------------------------------------------------------------
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 
 // Damping, and links that only pull.
@@ -13,10 +13,9 @@
 namespace ribbon {
 namespace {
 
+using constants::gravity;
+using constants::infinity;
 using test_support::hanging;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A set velocity is a jump, and so is the damping tension. The elastic energy does not jump.
 TEST(CordDamping, ElasticEnergyDoesNotDependOnASetVelocity) {

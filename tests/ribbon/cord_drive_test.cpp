@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 #include "tests/support/points.h"
 
@@ -13,12 +13,11 @@
 namespace ribbon {
 namespace {
 
+using constants::gravity;
+using constants::infinity;
+using constants::nan;
 using test_support::all_finite;
 using test_support::hanging;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double rest_length(const Cord& cord) {
   double sum = 0.0;

@@ -6,6 +6,7 @@
 
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 
 // CordDef::gravity_scale.
@@ -13,8 +14,8 @@
 namespace ribbon {
 namespace {
 
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
+using constants::gravity;
 
 CordDef rope(double gravity_scale) {
   CordDef def;

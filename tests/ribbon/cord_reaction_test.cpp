@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 
 // Cord::reaction: the forces of pins.
@@ -13,8 +13,8 @@
 namespace ribbon {
 namespace {
 
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
+using constants::gravity;
 
 CordDef rope() {
   CordDef def;

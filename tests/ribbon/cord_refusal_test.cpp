@@ -4,9 +4,9 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <string>
 
+#include "tests/support/constants.h"
 #include "tests/support/refusal.h"
 
 // Definitions, steps and arguments that a cord refuses.
@@ -14,11 +14,10 @@
 namespace ribbon {
 namespace {
 
+using constants::infinity;
+using constants::nan;
 using test_support::refusal;
 using test_support::starts_with;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void make_ribbon(CordDef& def, int rows) {
   def.rows = rows;

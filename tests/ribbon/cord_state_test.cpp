@@ -3,9 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 
 // The bits of a cord's state: after save and restore, and with every compiler.
@@ -13,11 +13,10 @@
 namespace ribbon {
 namespace {
 
+using constants::gravity;
+using constants::infinity;
+using constants::nan;
 using test_support::hanging;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(CordSameBits, AStateWithAllFieldsIsRestoredCompletely) {
   CordDef def;

@@ -4,27 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/heavy_swing.h"
 #include "tests/support/points.h"
 
 namespace ribbon {
 namespace {
 
+using constants::gravity;
+using constants::infinity;
 using test_support::all_finite;
 using test_support::path_length;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void make_ribbon(CordDef& def, int rows) {
-  def.rows = rows;
-  def.width = 0.5;
-  solid(1e6, 0.0, 0.01, def.width).apply_to(def);
-}
 
 /// An L-stable method damps steps of a second so strongly that a few dozen bring any cord to rest.
 void come_to_rest(Cord& cord) {
@@ -190,7 +183,9 @@ TEST(Cord, AStepAllocatesNothing) {
   bending.drag = 0.1;
   CordDef ribbon;
   ribbon.points = 12;
-  make_ribbon(ribbon, 3);
+  ribbon.rows = 3;
+  ribbon.width = 0.5;
+  solid(1e6, 0.0, 0.01, ribbon.width).apply_to(ribbon);
   ribbon.area_stiffness = 1.0;
   for (int p = 0; p < 36; ++p) ribbon.positions.push_back({0.1 * ((7 * p) % 11), 0.1 * ((5 * p) % 13)});
   CordDef bars = ribbon;

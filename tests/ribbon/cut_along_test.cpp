@@ -4,19 +4,19 @@
 #include <vector>
 
 #include "ribbon/cut.h"
+#include "tests/support/constants.h"
 #include "tests/support/cord_sums.h"
 #include "tests/support/refusal.h"
 
 namespace ribbon {
 namespace {
 
+using constants::dt;
+using constants::gravity;
 using test_support::refusal;
 using test_support::says;
 using test_support::Sums;
 using test_support::sums_of;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
 constexpr double width = 0.3;
 
 /// A ribbon of 1.2 m and 13 columns whose EI is a part of that of a solid strip.
@@ -32,7 +32,7 @@ CordDef ribbon_of(int rows, double part) {
 }
 
 /// It is held at its first column, has fallen for half a second and carries a mass and a load.
-Cord swinging(CordDef def) {
+Cord swinging_ribbon(CordDef def) {
   for (int j = 0; j < def.rows; ++j) def.pins.push_back(j);
   Cord cord(def);
   cord.attach_mass(cord.index(7, 0), 0.05);
@@ -56,7 +56,7 @@ TEST(CutAlong, KeepsTheEnergyOfASolidStrip) {
       def.damping = damping;
       def.poisson_ratio = 0.2;
       def.area_stiffness = 1.0;
-      const Cord cord = swinging(def);
+      const Cord cord = swinging_ribbon(def);
       const Sums before = sums_of(cord, gravity);
       EXPECT_GT(cord.energy(gravity).elastic, 1e-4);
       for (int row = 1; row + 1 < rows; ++row) {
@@ -111,7 +111,7 @@ TEST(CutAlong, HalvesBendAsTheirOwnWidthDoes) {
 TEST(CutAlong, OfABentRibbonWithASpineDoesNotGainEnergy) {
   for (const int rows : {3, 4, 5, 6, 7}) {
     for (const double part : {0.01, 0.1, 0.5}) {
-      const Cord cord = swinging(ribbon_of(rows, part));
+      const Cord cord = swinging_ribbon(ribbon_of(rows, part));
       const Sums before = sums_of(cord, gravity);
       for (int row = 1; row + 1 < rows; ++row) {
         const CutPieces pieces = cut(cord, cut_along(cord, row));
@@ -154,7 +154,7 @@ TEST(CutAlong, APieceOfTwoRowsHasASpineToo) {
 TEST(CutAlong, OfBarsKeepsMassAndMomentum) {
   CordDef def = ribbon_of(4, 0.0);
   def.elements = Elements::bars;
-  const Cord cord = swinging(def);
+  const Cord cord = swinging_ribbon(def);
   const Sums before = sums_of(cord, gravity);
   for (const int row : {1, 2}) {
     CutPieces pieces = cut(cord, cut_along(cord, row));
@@ -169,7 +169,7 @@ TEST(CutAlong, OfBarsKeepsMassAndMomentum) {
 }
 
 TEST(CutAlong, GivesWhatIsAttachedToItsSide) {
-  Cord cord = swinging(ribbon_of(4, 1.0));
+  Cord cord = swinging_ribbon(ribbon_of(4, 1.0));
   cord.attach_mass(cord.index(6, 1), 0.5);
   cord.attach_mass(cord.index(6, 2), 0.25);
   cord.set_load(cord.index(8, 1), {1.0, 0.0});
@@ -194,7 +194,7 @@ TEST(CutAlong, GivesWhatIsAttachedToItsSide) {
 }
 
 TEST(CutAlong, PiecesAreCutAndReeledAndMoveOn) {
-  Cord cord = swinging(ribbon_of(5, 0.3));
+  Cord cord = swinging_ribbon(ribbon_of(5, 0.3));
   cord.reel(0, 12, 0.9, 0.5);
   for (int k = 0; k < 10; ++k) cord.step(dt, gravity);
   CutPieces halves = cut(cord, cut_along(cord, 2));

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/constants.h"
 #include "tests/support/cord_sums.h"
 #include "tests/support/hanging.h"
 #include "tests/support/refusal.h"
@@ -12,14 +13,13 @@
 namespace ribbon {
 namespace {
 
+using constants::dt;
+using constants::gravity;
 using test_support::hanging;
 using test_support::refusal;
 using test_support::says;
 using test_support::Sums;
 using test_support::sums_of;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
 
 /// A rope of 2 m that starts level, swings about its first point and carries a mass and a load.
 Cord swinging(const CordDef& terms) {

@@ -18,6 +18,7 @@
 #include "ribbon/thesis/thesis_cord.h"
 #include "ribbon/weather.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 #include "tests/support/refusal.h"
@@ -28,15 +29,15 @@
 namespace ribbon {
 namespace {
 
-constexpr double g = 9.81;
-constexpr Vec2 gravity{0.0, -g};
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
+using constants::g;
+using constants::gravity;
 constexpr double air = 1.2;
 constexpr double across = 1.2;
 constexpr double along = 0.01;
 const std::array presets{Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()};
 
-CordDef rope(double mass_per_length = 0.1) {
+CordDef rope_with_drag(double mass_per_length = 0.1) {
   CordDef def;
   def.points = 41;
   def.length = 4.0;
@@ -111,7 +112,7 @@ struct InMedium {
 /// Falling broadside, m·g = ½·ρ·C·d·v². On the way, v = v∞·tanh(g·t/v∞).
 TEST(CordInMedium, FallsBroadsideAtTheTerminalVelocity) {
   const Weather still{WeatherDef{}};
-  const CordDef def = rope();
+  const CordDef def = rope_with_drag();
   const double terminal = std::sqrt(def.mass_per_length * g / drag_across_of(def, air));
   const std::array tolerated{5e-3, 5e-5, 5e-6};  // of it, on the way
   for (std::size_t k = 0; k < presets.size(); ++k) {
@@ -131,7 +132,7 @@ TEST(CordInMedium, FallsBroadsideAtTheTerminalVelocity) {
 }
 
 TEST(CordInMedium, FallsLengthwiseAtTheTerminalVelocity) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.0, -0.1});
   WeatherDef dense;
   dense.air_density = 1000.0;
@@ -144,7 +145,7 @@ TEST(CordInMedium, FallsLengthwiseAtTheTerminalVelocity) {
 
 /// A straight line at 45° that falls goes aside: with v across v_n and along v_t, m·g/√2 = k_n·v_n² = k_t·v_t².
 TEST(CordInMedium, HasItsOwnCoefficientInEachDirection) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.drag_along = 0.1;
   def.bending_stiffness = 1e3;
   const double step = 0.1 * std::numbers::sqrt2 / 2.0;
@@ -175,7 +176,7 @@ TEST(CordInMedium, ATowedLineHangsAtTheCriticalAngle) {
 
 /// A flow, and a point that is towed through still air, are the same.
 TEST(CordInMedium, IsTowedAsInAFlow) {
-  CordDef def = rope(0.02);
+  CordDef def = rope_with_drag(0.02);
   def.pins = {0};
   const Weather flow(wind({3.0, 0.0}));
   const Weather still{WeatherDef{}};
@@ -197,7 +198,7 @@ TEST(CordInMedium, IsTowedAsInAFlow) {
 /// it, cot φ = s/a at a distance s from this end, with a = T/R. It is a catenary on its side.
 TEST(CordInMedium, ALineUnderPressureIsACatenary) {
   for (const Accuracy& accuracy : presets) {
-    CordDef def = rope();
+    CordDef def = rope_with_drag();
     def.drag_along = 0.0;
     def.gravity_scale = 0.0;
     def.pins = {0};
@@ -221,7 +222,7 @@ TEST(CordInMedium, ALineUnderPressureIsACatenary) {
 
 /// The pin carries all forces on the cord: weight, loads, and those of the medium on it.
 TEST(CordInMedium, ThePinCarriesTheDrag) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.pins = {0};
   def.drag = 2.0;  // so that it comes to rest
   const Weather flow(wind({2.0, 0.0}));
@@ -240,7 +241,7 @@ TEST(CordInMedium, ThePinCarriesTheDrag) {
 }
 
 TEST(CordInMedium, ACordAsDenseAsTheWaterStaysWhereItIs) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.displaced_area = round_area(def);
   def.mass_per_length = 1000.0 * def.displaced_area;
   def.positions = test_support::equally_spaced(def.points, {0.0, -5.0}, {0.08, -0.06});
@@ -254,7 +255,7 @@ TEST(CordInMedium, ACordAsDenseAsTheWaterStaysWhereItIs) {
 TEST(CordInMedium, ALightCordFloatsAsDeepAsItIsHeavy) {
   for (const Accuracy& accuracy : presets) {
     for (const double ratio : {0.2, 0.5, 0.8}) {
-      CordDef def = rope();
+      CordDef def = rope_with_drag();
       def.accuracy = accuracy;
       def.displaced_area = round_area(def);
       def.mass_per_length = ratio * 1000.0 * def.displaced_area;
@@ -272,7 +273,7 @@ TEST(CordInMedium, ALightCordFloatsAsDeepAsItIsHeavy) {
 
 /// A rod that is held at its top sinks its lower part: the force on the pin falls steadily as the water rises.
 TEST(CordInMedium, BuoyancyIsSmoothAcrossTheSurface) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.points = 5;
   def.length = 1.0;
   def.drag_across = def.drag_along = 0.0;
@@ -297,7 +298,7 @@ TEST(CordInMedium, BuoyancyIsSmoothAcrossTheSurface) {
 }
 
 TEST(CordInMedium, DriftsWithTheCurrent) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.displaced_area = round_area(def);
   def.mass_per_length = 500.0 * def.displaced_area;
   const Weather river(water({0.7, 0.0}));
@@ -314,7 +315,7 @@ TEST(CordInMedium, NothingActsOnWhatDeclaresNothing) {
   nothing.wind = {30.0, 5.0};
   const Weather vacuum(nothing);
   for (const bool declares : {false, true}) {
-    CordDef def = rope();
+    CordDef def = rope_with_drag();
     def.pins = {0};
     if (!declares) def.drag_across = def.drag_along = 0.0;
     Cord alone(def);
@@ -329,7 +330,7 @@ TEST(CordInMedium, NothingActsOnWhatDeclaresNothing) {
 
 /// Wind sets a free cord in motion, at last as fast as itself, and never faster.
 TEST(CordInMedium, GivesAFreeCordItsVelocity) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.gravity_scale = 0.0;
   def.bending_stiffness = 10.0;
   const Weather blow(wind({0.0, 8.0}));
@@ -346,7 +347,7 @@ TEST(CordInMedium, GivesAFreeCordItsVelocity) {
 /// The error falls with the square of the substeps.
 TEST(CordInMedium, ConvergesWithSecondOrder) {
   const auto end_of = [](int substeps) {
-    CordDef def = rope(0.05);
+    CordDef def = rope_with_drag(0.05);
     def.pins = {0};
     def.accuracy = {Integrator::tr_bdf2, substeps, 20, 1e-9};
     const Weather blow(wind({4.0, 0.0}));
@@ -367,7 +368,7 @@ TEST(CordInMedium, StaysStableInAnyWind) {
     for (const double mass : {1e-4, 1e-3, 0.1}) {
       for (const double speed : {100.0, 1000.0}) {
         for (const double friction : {0.0, 0.005, 0.02, 50.0}) {
-          CordDef def = rope(mass);
+          CordDef def = rope_with_drag(mass);
           def.points = 21;
           def.drag_along = friction;
           def.pins = {0};
@@ -392,7 +393,7 @@ TEST(CordInMedium, StaysStableInAnyWind) {
 
 TEST(CordInMedium, ALightCordRisesThroughWaterWithoutAJump) {
   for (const Accuracy& accuracy : presets) {
-    CordDef def = rope(1e-3);
+    CordDef def = rope_with_drag(1e-3);
     def.accuracy = accuracy;
     def.displaced_area = round_area(def);
     def.positions = test_support::equally_spaced(def.points, {0.0, -3.0}, {0.1, 0.0});
@@ -410,7 +411,7 @@ TEST(CordInMedium, ALightCordRisesThroughWaterWithoutAJump) {
 /// A ribbon of cells, of several rows, has the same drag as a rope that is as thick as it is wide.
 TEST(CordInMedium, ARibbonFallsAsARopeOfItsWidth) {
   for (const int rows : {2, 3, 5}) {
-    CordDef def = rope();
+    CordDef def = rope_with_drag();
     def.points = 11;
     def.length = 1.0;
     def.rows = rows;
@@ -440,7 +441,7 @@ class Whirl : public Medium {
 };
 
 TEST(CordInMedium, FollowsAFunctionOfPlaceAndTime) {
-  CordDef def = rope(1e-3);
+  CordDef def = rope_with_drag(1e-3);
   def.gravity_scale = 0.0;
   def.bending_stiffness = 10.0;
   def.positions = test_support::equally_spaced(def.points, {-2.0, 0.0}, {0.1, 0.0});
@@ -470,8 +471,8 @@ TEST(CordInMedium, ABadSampleIsEmptySpace) {
        {MediumSample{{nan, 0.0}, air}, MediumSample{{0.0, 1e7}, air}, MediumSample{{5.0, 0.0}, -1.0},
         MediumSample{{5.0, 0.0}, nan}, MediumSample{{5.0, 0.0}, 1e7}, MediumSample{{5.0, 0.0}, air, {0.0, nan}}}) {
     const Broken medium(sample);
-    InMedium blown{Cord(rope()), medium};
-    Cord alone(rope());
+    InMedium blown{Cord(rope_with_drag()), medium};
+    Cord alone(rope_with_drag());
     blown.step(20);
     for (int k = 0; k < 20; ++k) alone.step(dt, gravity);
     EXPECT_EQ(blown.cord.save(), alone.save());
@@ -479,7 +480,7 @@ TEST(CordInMedium, ABadSampleIsEmptySpace) {
 }
 
 TEST(CordInMedium, ContinuesFromASavedStateWithTheSameBits) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.pins = {0};
   WeatherDef gusty = wind({6.0, 0.0});
   gusty.gusts = 0.8;
@@ -503,7 +504,7 @@ TEST(CordInMedium, ContinuesFromASavedStateWithTheSameBits) {
 }
 
 TEST(CordInMedium, AllocatesNothingInASteadyStep) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.pins = {0};
   const Weather blow(wind({6.0, 1.0}));
   InMedium blown{Cord(def), blow};
@@ -515,7 +516,7 @@ TEST(CordInMedium, AllocatesNothingInASteadyStep) {
 
 /// It sleeps in a steady wind, and wakes when that changes at its place.
 TEST(CordInMedium, SleepsUntilTheWindChanges) {
-  CordDef def = rope(0.5);
+  CordDef def = rope_with_drag(0.5);
   def.points = 11;
   def.length = 1.0;
   def.pins = {0};
@@ -545,7 +546,7 @@ TEST(CordInMedium, SleepsUntilTheWindChanges) {
 
 /// The pieces of a cord go on with the forces that they had.
 TEST(CordInMedium, APieceKeepsItsForces) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.pins = {0};
   const Weather blow(wind({6.0, 0.0}));
   InMedium blown{Cord(def), blow};
@@ -559,7 +560,7 @@ TEST(CordInMedium, APieceKeepsItsForces) {
 }
 
 TEST(CordInMedium, ItsErrorIsEstimated) {
-  CordDef def = rope();
+  CordDef def = rope_with_drag();
   def.pins = {0};
   def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.0, -0.1});
   const Weather blow(wind({3.0, 0.0}));
@@ -583,7 +584,7 @@ TEST(CordInMedium, ItsErrorIsEstimated) {
 TEST(CordInMedium, ChangesTheVelocityByNoMoreThanItSays) {
   test_support::Dice dice(7);
   for (int k = 0; k < 200; ++k) {
-    CordDef def = rope(std::pow(10.0, dice(-4.0, 0.0)));
+    CordDef def = rope_with_drag(std::pow(10.0, dice(-4.0, 0.0)));
     def.points = 3;
     def.length = 0.3;
     def.gravity_scale = 0.0;
@@ -603,7 +604,7 @@ TEST(CordInMedium, ChangesTheVelocityByNoMoreThanItSays) {
 }
 
 TEST(CordInMedium, RefusesWhatIsOutOfRange) {
-  Cord cord(rope());
+  Cord cord(rope_with_drag());
   const Cord::State before = cord.save();
   Surroundings surroundings;
   surroundings.time = std::numeric_limits<double>::quiet_NaN();

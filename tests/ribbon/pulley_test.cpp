@@ -13,6 +13,7 @@
 #include "ribbon/geometry/tangent.h"
 #include "ribbon/linear/index.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 #include "tests/support/pulleys.h"
 #include "tests/support/refusal.h"
@@ -22,14 +23,13 @@
 namespace ribbon {
 namespace {
 
+using constants::dt;
+using constants::g;
+using constants::gravity;
 using test_support::Atwood;
 using test_support::hanging;
 using test_support::Machine;
 using test_support::refusal;
-
-constexpr double dt = 1.0 / 60.0;  // s
-constexpr double g = 9.81;         // m/s²
-constexpr Vec2 gravity{0.0, -g};
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Returns the acceleration of Atwood's machine with a wheel of this inertia, m/s².

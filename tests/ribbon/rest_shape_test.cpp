@@ -7,15 +7,15 @@
 
 #include "ribbon/cord.h"
 #include "ribbon/layout.h"
+#include "tests/support/constants.h"
 #include "tests/support/reference_scenes.h"
 #include "tests/support/refusal.h"
 
 namespace ribbon {
 namespace {
 
+using constants::gravity;
 using test_support::refusal;
-
-constexpr Vec2 gravity{0.0, -9.81};
 
 /// Returns how far a point moves in a second, m, if steps are solved exactly.
 double moved_in_a_second(CordDef def, Vec2 under = gravity) {

@@ -12,6 +12,7 @@
 #include "ribbon/direct_solver.h"
 #include "ribbon/linear/index.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 #include "tests/support/points.h"
 #include "tests/support/refusal.h"
@@ -21,12 +22,11 @@
 namespace ribbon {
 namespace {
 
+using constants::dt;
+using constants::gravity;
 using test_support::equally_spaced;
 using test_support::hanging;
 using test_support::refusal;
-
-constexpr double dt = 1.0 / 60.0;  // s
-constexpr Vec2 gravity{0.0, -9.81};
 
 /// Cords and their ties.
 struct TiedCords {

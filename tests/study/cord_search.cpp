@@ -8,13 +8,11 @@ namespace study {
 
 namespace {
 
-bool counts(const Point& point) { return !point.not_compared && point.failure.empty() && std::isfinite(point.error_m); }
-
 /// Returns the settings that count, by increasing work.
 std::vector<std::size_t> by_work(const Study& study, const std::vector<Point>& points) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (counts(points[k])) order.push_back(k);
+    if (is_compared(points[k])) order.push_back(k);
   }
   std::stable_sort(order.begin(), order.end(), [&study](std::size_t a, std::size_t b) {
     return study.settings[a].tick_work.mean < study.settings[b].tick_work.mean;

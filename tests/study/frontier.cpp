@@ -8,14 +8,12 @@
 namespace study {
 namespace {
 
-bool counts(const Point& point) { return point.failure.empty() && !point.not_compared && std::isfinite(point.error_m); }
-
 /// Returns the best by `better` of those that satisfy `meets`; the first of equals.
 template <typename Meets, typename Better>
 std::optional<std::size_t> best(std::span<const Point> points, Meets meets, Better better) {
   std::optional<std::size_t> found;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (counts(points[k]) && meets(points[k]) && (!found || better(points[k], points[*found]))) found = k;
+    if (is_compared(points[k]) && meets(points[k]) && (!found || better(points[k], points[*found]))) found = k;
   }
   return found;
 }
@@ -27,7 +25,7 @@ std::string with_cost(const Point& point) {
 std::vector<std::size_t> front_of(std::span<const Point> points, const std::string& group) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (counts(points[k]) && points[k].group == group) order.push_back(k);
+    if (is_compared(points[k]) && points[k].group == group) order.push_back(k);
   }
   std::stable_sort(order.begin(), order.end(), [points](std::size_t a, std::size_t b) {
     if (points[a].cost_us != points[b].cost_us) return points[a].cost_us < points[b].cost_us;
@@ -43,8 +41,8 @@ std::vector<std::size_t> front_of(std::span<const Point> points, const std::stri
 void add_comparison(std::span<const Point> points, const std::string& group,
                     const std::function<bool(const std::string& method)>& is_ours, const std::string& prefix,
                     std::vector<std::string>& sentences) {
-  const auto ours = [&](const Point& p) { return counts(p) && p.group == group && is_ours(p.method); };
-  const auto others = [&](const Point& p) { return counts(p) && p.group == group && !is_ours(p.method); };
+  const auto ours = [&](const Point& p) { return is_compared(p) && p.group == group && is_ours(p.method); };
+  const auto others = [&](const Point& p) { return is_compared(p) && p.group == group && !is_ours(p.method); };
   if (std::none_of(points.begin(), points.end(), ours) || std::none_of(points.begin(), points.end(), others)) return;
   const std::size_t count_before = sentences.size();
   const Point* before = nullptr;  // the cheaper neighbour on the front
@@ -66,6 +64,10 @@ void add_comparison(std::span<const Point> points, const std::string& group,
 }
 
 }  // namespace
+
+bool is_compared(const Point& point) {
+  return point.failure.empty() && !point.not_compared && std::isfinite(point.error_m);
+}
 
 std::vector<std::string> groups_of(std::span<const Point> points) {
   std::vector<std::string> groups;

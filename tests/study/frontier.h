@@ -24,6 +24,9 @@ struct Point {
   std::string group = {};     ///< part of the scene: ratio=100. Groups are not compared
 };
 
+/// Returns whether the error of a result counts: the setting did not fail, and its error is a number.
+bool is_compared(const Point& point);
+
 /// Returns the names of the points' groups, each once, in their order.
 std::vector<std::string> groups_of(std::span<const Point> points);
 

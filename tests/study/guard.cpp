@@ -28,7 +28,7 @@ double number_of(const std::string& text) {
   return value;
 }
 
-GuardRow row_of(const std::vector<std::string>& cells) {
+GuardRow stored_row_of(const std::vector<std::string>& cells) {
   if (cells.size() != 9 || cells[0].empty()) throw std::invalid_argument("cells");
   const auto count = [&cells](std::size_t k) { return static_cast<std::int64_t>(number_of(cells[k])); };
   return {cells[0],
@@ -112,7 +112,7 @@ std::vector<GuardRow> read_guard(const std::string& path) {
     };
     GuardRow row;
     try {
-      row = row_of(csv_cells(line));
+      row = stored_row_of(csv_cells(line));
     } catch (const std::logic_error&) {
       refuse(": is not a row");
     }

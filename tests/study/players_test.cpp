@@ -19,7 +19,7 @@ std::vector<std::uint16_t> buttons_of(const Inputs& inputs) {
   return buttons;
 }
 
-Inputs recorded(const std::string& level, std::size_t ticks) {
+Inputs start_of(const std::string& level, std::size_t ticks) {
   Inputs inputs = inputs_of(engine::load_replay(TEST_ASSETS "/replays/" + level + ".replay"));
   inputs.resize(std::min(inputs.size(), ticks));
   return inputs;
@@ -61,7 +61,7 @@ TEST(Players, AreTheSameForTheSameSeedAndNoneThatTests) {
 
 TEST(Players, MeetWhatTheyHoldAndTouch) {
   const game::Level level = LevelFile(TEST_ASSETS "/levels/first_swing.tmj").level();
-  const Meetings winner = meetings_of(level, recorded("first_swing", 10000));
+  const Meetings winner = meetings_of(level, start_of("first_swing", 10000));
   EXPECT_TRUE(winner.any_cord);
   EXPECT_GT(winner.held.size(), 1U);
   const Meetings idle = meetings_of(level, Inputs(10));
@@ -94,7 +94,7 @@ class WithOtherPlayers : public LevelStudy {
 TEST_F(WithOtherPlayers, TheErrorIsThatOfTheWorst) {
   const LevelFile file(TEST_ASSETS "/levels/first_swing.tmj");
   const Inputs still(60);
-  const Inputs swings = recorded("first_swing", 200);
+  const Inputs swings = start_of("first_swing", 200);
   StudyOptions options = quick();
   const std::vector<Point> alone = applicable(measure(file, still, options));
   const std::vector<Point> swinging = applicable(measure(file, swings, options));
@@ -131,7 +131,7 @@ TEST_F(WithOtherPlayers, TheirResultsAreSaved) {
 TEST_F(WithOtherPlayers, AKnownStudyNeedsNoRunOfThem) {
   StudyOptions options = quick();
   options.folder = home + "/report";
-  options.others = {recorded("first_swing", 100)};
+  options.others = {start_of("first_swing", 100)};
   const Study first = measure(LevelFile(level_path), replay_path, options);
   const Study again = measure(LevelFile(level_path), replay_path, options);
   for (std::size_t k = 0; k < first.settings.size(); ++k) {

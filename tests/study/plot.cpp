@@ -19,8 +19,6 @@ namespace {
 constexpr std::array<const char*, 8> colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                "#e69f00", "#56b4e9", "#7f3c8d", "#666666"};
 
-std::string number(double value) { return significant(value, 4); }
-
 bool is_drawn(const Point& point) { return point.failure.empty() && std::isfinite(point.error_m); }
 
 std::vector<std::string> methods_of(std::span<const Point> points) {
@@ -121,8 +119,8 @@ class Panel {
           "points pointtype 2 linewidth 2" + color_of(m));
     }
     std::ostringstream out;
-    out << data_.str() << "set title '" << group_ << "' noenhanced\nset yrange [" << number(0.5 * bottom_) << ':'
-        << number(1.5 * top_) << "]\nplot NaN notitle" << layers_ << legend << '\n';
+    out << data_.str() << "set title '" << group_ << "' noenhanced\nset yrange [" << four_digits(0.5 * bottom_) << ':'
+        << four_digits(1.5 * top_) << "]\nplot NaN notitle" << layers_ << legend << '\n';
     return out.str();
   }
 
@@ -132,7 +130,8 @@ class Panel {
     if (points.empty()) return;
     data_ << '$' << name << suffix_ << " << END\n";
     for (const Point& p : points) {
-      data_ << number(p.cost_us) << ' ' << number(p.failure.empty() ? std::max(p.error_m, bottom_) : top_) << '\n';
+      data_ << four_digits(p.cost_us) << ' ' << four_digits(p.failure.empty() ? std::max(p.error_m, bottom_) : top_)
+            << '\n';
     }
     data_ << "END\n";
     layers_ += ", $" + name + suffix_ + " using 1:2 with " + style + " notitle";
@@ -161,12 +160,13 @@ std::string layout_of(std::size_t panels, double legend, const std::string& name
   const double width = (columns > 1 ? 1000.0 : 760.0) + legend;
   const double height = columns > 1 ? 400.0 * static_cast<double>(rows) : 640.0;
   std::ostringstream out;
-  out << "set terminal svg size " << number(width) << ',' << number(height)
+  out << "set terminal svg size " << four_digits(width) << ',' << four_digits(height)
       << " font 'DejaVu Sans,13' background rgb 'white'\n"
       << "set output '" << name << ".svg'\n"
-      << "set multiplot layout " << rows << ',' << columns << " margins " << number(90.0 / width) << ','
-      << number(1.0 - legend / width) << ',' << number(60.0 / height) << ',' << number(1.0 - 40.0 / height)
-      << " spacing " << number(100.0 / width) << ',' << number(100.0 / height) << '\n';
+      << "set multiplot layout " << rows << ',' << columns << " margins " << four_digits(90.0 / width) << ','
+      << four_digits(1.0 - legend / width) << ',' << four_digits(60.0 / height) << ','
+      << four_digits(1.0 - 40.0 / height) << " spacing " << four_digits(100.0 / width) << ','
+      << four_digits(100.0 / height) << '\n';
   return out.str();
 }
 
@@ -182,7 +182,7 @@ std::string plot_of(std::span<const Point> points, const std::string& axis, cons
   out << layout_of(groups.size(), width_of(methods), name);
   out << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n"
       << "set xlabel 'cost [µs a tick]'\nset ylabel '" << axis << "' noenhanced\n"
-      << "set xrange [" << number(left) << ':' << number(right) << "]\n";
+      << "set xrange [" << four_digits(left) << ':' << four_digits(right) << "]\n";
   for (const auto& [us, label] : {std::pair{1000, "1 ms"}, {16700, "16.7 ms"}}) {
     if (us < 3.0 * left || us > right) continue;
     out << "set arrow from " << us << ", graph 0 to " << us << ", graph 1 nohead dashtype 2 linecolor 'gray'\n"

@@ -19,8 +19,6 @@ namespace {
 constexpr const char* gnuplot_hint =
     "the package is gnuplot-nox, game/setup tests installs it. All numbers are written";
 
-std::string number(double value) { return significant(value, 4); }
-
 void write(const std::string& path, const std::string& content) {
   std::ofstream out(path, std::ios::binary);
   out << content;
@@ -37,8 +35,9 @@ std::string csv_of(const Report& report) {
   out << '\n';
   for (std::size_t k = 0; k < report.points.size(); ++k) {
     const Point& p = report.points[k];
-    out << csv_cell(p.method) << ',' << csv_cell(p.setting) << ',' << number(p.cost_us) << ',' << number(p.p99_us)
-        << ',' << (is_shown(p) ? number(p.error_m) : "") << ',' << csv_cell(p.failure) << ',' << csv_cell(p.group);
+    out << csv_cell(p.method) << ',' << csv_cell(p.setting) << ',' << four_digits(p.cost_us) << ','
+        << four_digits(p.p99_us) << ',' << (is_shown(p) ? four_digits(p.error_m) : "") << ',' << csv_cell(p.failure)
+        << ',' << csv_cell(p.group);
     if (k < report.cells.size()) {
       for (const std::string& cell : report.cells[k]) out << ',' << csv_cell(cell);
     }
@@ -87,9 +86,9 @@ void add_rows(std::ostringstream& out, const Report& report, const std::string& 
     out << (best          ? "<tr class=\"front\">"
             : is_shown(p) ? "<tr>"
                           : "<tr class=\"failed\">")
-        << "<td>" << escaped(p.method) << "<td>" << escaped(p.setting) << "<td>" << number(p.cost_us) << "<td>"
-        << number(p.p99_us) << "<td>"
-        << (is_shown(p) ? number(p.error_m) : escaped(p.failure.empty() ? "no number" : p.failure));
+        << "<td>" << escaped(p.method) << "<td>" << escaped(p.setting) << "<td>" << four_digits(p.cost_us) << "<td>"
+        << four_digits(p.p99_us) << "<td>"
+        << (is_shown(p) ? four_digits(p.error_m) : escaped(p.failure.empty() ? "no number" : p.failure));
     if (k < report.cells.size()) {
       for (const std::string& cell : report.cells[k]) out << "<td>" << escaped(cell);
     }

@@ -23,10 +23,10 @@ Json json_of(const Errors& e) {
 }
 
 /// JSON writes null for NaN.
-double number_of(const Json& j) { return j.is_null() ? unavailable : j.get<double>(); }
+double number_or_unavailable(const Json& j) { return j.is_null() ? unavailable : j.get<double>(); }
 
 Errors errors_of(const Json& j) {
-  const auto at = [&j](std::size_t k) { return number_of(j.at(k)); };
+  const auto at = [&j](std::size_t k) { return number_or_unavailable(j.at(k)); };
   return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)};
 }
 
@@ -63,13 +63,14 @@ Measured measured_of(const Json& j) {
                j.at("points"), j.at("max_iterations"), j.at("rows")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
-  for (std::size_t k = 0; k < Statistics::count; ++k) m.chaotic.values[k] = number_of(j.at("chaotic").at(k));
-  const auto windows = [&j](std::size_t k) { return number_of(j.at("windows").at(k)); };
+  for (std::size_t k = 0; k < Statistics::count; ++k)
+    m.chaotic.values[k] = number_or_unavailable(j.at("chaotic").at(k));
+  const auto windows = [&j](std::size_t k) { return number_or_unavailable(j.at("windows").at(k)); };
   m.windows = {windows(0), windows(1), windows(2), {}};
   m.windows_resolution_m = windows(3);
-  const auto work = [&j](std::size_t k) { return number_of(j.at("tick_work").at(k)); };
+  const auto work = [&j](std::size_t k) { return number_or_unavailable(j.at("tick_work").at(k)); };
   m.tick_work = {work(0), work(1), work(2)};
-  const auto others = [&j](std::size_t k) { return number_of(j.at("others").at(k)); };
+  const auto others = [&j](std::size_t k) { return number_or_unavailable(j.at("others").at(k)); };
   m.others = {others(0), {others(1), others(2), others(3)}, j.at("others_failure")};
   m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");

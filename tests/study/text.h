@@ -7,6 +7,8 @@ namespace study {
 
 /// Returns a number with a number of significant digits: 0.00123, 1e+08.
 std::string significant(double value, int digits);
+/// Returns a number with four significant digits, as plots and reports show it.
+inline std::string four_digits(double value) { return significant(value, 4); }
 /// Returns a number with a number of decimals: 8.45.
 std::string fixed(double value, int decimals);
 /// Returns a count with its unit: 1 tick, 2 ticks.

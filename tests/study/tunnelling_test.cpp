@@ -11,7 +11,7 @@ namespace {
 using ribbon::Vec2;
 
 /// A rope of 2 m along x at height 0, 2 cm thick, without gravity.
-ribbon::CordDef rope(double y = 0.0) {
+ribbon::CordDef weightless_rope(double y = 0.0) {
   ribbon::CordDef def;
   def.points = 5;
   def.length = 2.0;
@@ -31,7 +31,7 @@ TEST(Tunnelling, FindsALinkThatCrossesAPoint) {
 
 TEST(Tunnelling, FindsACircleOnTheOtherSideAfterATick) {
   test_support::CoupledWorld world({}, {});
-  world.add(rope());
+  world.add(weightless_rope());
   b2Body& ball = world.add_circle(b2_dynamicBody, {0.75, 0.3}, 0.1, 1.0, 0.0);
   TunnellingDetector watch;
   const auto detect = [&] { return watch.detect(world.world, world.coupling, {})[0]; };
@@ -54,7 +54,7 @@ TEST(Tunnelling, FindsACircleOnTheOtherSideAfterATick) {
 TEST(Tunnelling, FindsACordThatCrossesAnEdge) {
   for (const double lowest : {-1.0, 0.005}) {
     test_support::CoupledWorld world({}, {});
-    world.add(rope());
+    world.add(weightless_rope());
     world.add_edges({{0.75, 1.0}, {0.75, lowest}}, 0.0);
     EXPECT_EQ(TunnellingDetector().detect(world.world, world.coupling, {})[0], lowest < 0.0 ? through_body : 0);
   }
@@ -63,7 +63,7 @@ TEST(Tunnelling, FindsACordThatCrossesAnEdge) {
 TEST(Tunnelling, FindsACordWhoseWholeThicknessIsInAPolygon) {
   for (const double depth : {0.005, 0.015}) {  // m, of the middle line; the radius is 0.01
     test_support::CoupledWorld world({}, {});
-    world.add(rope());
+    world.add(weightless_rope());
     b2PolygonShape shape;
     shape.SetAsBox(0.1F, 0.1F, {0.75F, static_cast<float>(depth - 0.1)}, 0.0F);
     const b2BodyDef def;
@@ -75,7 +75,7 @@ TEST(Tunnelling, FindsACordWhoseWholeThicknessIsInAPolygon) {
 TEST(Tunnelling, ExcludesLinksAtPins) {
   for (const bool is_pinned : {false, true}) {
     test_support::CoupledWorld world({}, {});
-    ribbon::CordDef def = rope();
+    ribbon::CordDef def = weightless_rope();
     if (is_pinned) def.pins = {0};
     world.add(def);
     world.add_edges({{0.25, 1.0}, {0.25, -1.0}}, 0.0);
@@ -86,7 +86,7 @@ TEST(Tunnelling, ExcludesLinksAtPins) {
 TEST(Tunnelling, ExcludesTheBodyThatHoldsTheCord) {
   for (const bool is_held : {false, true}) {
     test_support::CoupledWorld world({}, {});
-    world.add(rope());
+    world.add(weightless_rope());
     b2Body& ball = world.add_circle(b2_dynamicBody, {2.0, 0.0}, 0.7, 1.0, 0.0);
     if (is_held) world.hold(0, 4, ball);
     EXPECT_EQ(TunnellingDetector().detect(world.world, world.coupling, {})[0], is_held ? 0 : through_body);
@@ -96,7 +96,7 @@ TEST(Tunnelling, ExcludesTheBodyThatHoldsTheCord) {
 /// Why the detector excludes it: a rope that a ball holds at its rim hangs through the ball.
 TEST(Tunnelling, ACordDoesNotCollideWithTheBodyThatHoldsIt) {
   test_support::CoupledWorld world({});
-  ribbon::CordDef def = rope(0.5);
+  ribbon::CordDef def = weightless_rope(0.5);
   def.points = 21;
   def.positions = test_support::equally_spaced(def.points, {0.0, 0.5}, {0.1, 0.0});
   def.damping = 0.1;
@@ -111,10 +111,10 @@ TEST(Tunnelling, ACordDoesNotCollideWithTheBodyThatHoldsIt) {
 TEST(Tunnelling, FindsOnlyDeclaredContacts) {
   for (const bool declared : {false, true}) {
     test_support::CoupledWorld world({}, {});
-    ribbon::CordDef across = rope();
+    ribbon::CordDef across = weightless_rope();
     across.cord_contact = declared;
     world.add(across);
-    ribbon::CordDef loop = rope();
+    ribbon::CordDef loop = weightless_rope();
     loop.positions = {{1.1, -0.5}, {1.1, 0.5}, {1.35, 0.75}, {0.9, 0.3}, {1.4, 0.3}};
     loop.self_contact = loop.cord_contact = declared;
     world.add(loop);

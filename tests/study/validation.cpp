@@ -11,8 +11,8 @@
 namespace study {
 namespace {
 
-constexpr int repeats = 3;
-constexpr std::size_t windows = 3;
+constexpr int promise_repeats = 3;
+constexpr std::size_t promise_windows = 3;
 
 /// The settings of the quick grid for a level's own cords.
 std::vector<Setting> own_settings() {
@@ -28,8 +28,8 @@ StudyOptions options_of(std::vector<Setting> settings, std::vector<Inputs> other
   StudyOptions options;
   options.others = std::move(others);
   options.quick = true;
-  options.repeats = repeats;
-  options.windows = windows;
+  options.repeats = promise_repeats;
+  options.windows = promise_windows;
   options.grid = std::move(settings);
   return options;
 }
@@ -168,7 +168,7 @@ Value& value_at(std::vector<std::pair<std::string, Value>>& list, const std::str
   return list.emplace_back(name, Value{}).second;
 }
 
-PromiseRow row_of(const std::vector<std::string>& cells) {
+PromiseRow promise_row_of(const std::vector<std::string>& cells) {
   if (cells.size() != 8 || (cells[5] != "0" && cells[5] != "1")) throw std::invalid_argument("cells");
   return {std::stoul(cells[0]), cells[1],        cells[2], cells[3],
           std::stod(cells[4]),  cells[5] == "1", cells[6], cells[7] == "1"};
@@ -226,7 +226,7 @@ std::vector<PromiseRow> read_promises(const std::string& path) {
   std::vector<PromiseRow> rows;
   for (int number = 2; std::getline(in, line); ++number) {
     try {
-      rows.push_back(row_of(csv_cells(line)));
+      rows.push_back(promise_row_of(csv_cells(line)));
     } catch (const std::logic_error&) {
       std::string what = path;
       what.append(", line ").append(std::to_string(number)).append(" is not a row").append(wanted);

@@ -18,7 +18,7 @@ using ribbon::Integrator;
 using ribbon::Vec2;
 
 /// Returns a trace of a cord at rest for a number of ticks, and a player.
-Trace still(std::size_t ticks) {
+Trace still_cord(std::size_t ticks) {
   Trace trace;
   trace.lengths = {1.0};
   trace.places.assign(ticks, std::vector<Vec2>(Trace::stations));
@@ -30,8 +30,8 @@ Trace still(std::size_t ticks) {
 }
 
 TEST(Windows, CordsAndPlayersAgreeForDifferentTimes) {
-  const Trace a = still(10);
-  Trace b = still(10);
+  const Trace a = still_cord(10);
+  Trace b = still_cord(10);
   b.places[6][0] = {0.0, 0.01 * std::sqrt(1.0 * Trace::stations)};
   b.player[3] = {0.02, 0.0};
   EXPECT_EQ(agreeing_cord_ticks(a, b, 0.0099), 6U);
@@ -39,7 +39,7 @@ TEST(Windows, CordsAndPlayersAgreeForDifferentTimes) {
   EXPECT_EQ(agreeing_player_ticks(a, b, 0.01), 3U);
   b.places[2][0] = {std::nan(""), 0.0};
   EXPECT_EQ(agreeing_cord_ticks(a, b, 1.0), 2U);
-  EXPECT_EQ(agreeing_player_ticks(a, still(2), 0.01), 2U);
+  EXPECT_EQ(agreeing_player_ticks(a, still_cord(2), 0.01), 2U);
 }
 
 TEST(Windows, ValuesThatAreNotComparedGiveNoError) {

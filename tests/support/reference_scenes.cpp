@@ -4,6 +4,8 @@
 #include <numbers>
 #include <span>
 
+#include "tests/support/slot.h"
+
 namespace test_support {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double gravity = 9.81;    // m/s²
 constexpr double span = 4.0;        // m, of the catenary
 constexpr double swing_out = 1e-4;  // m; ten times as much would make the third mode slower by 1e-4
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 Vec2 at(const Cord& cord, int point) { return cord.positions()[slot(point)]; }
 

@@ -7,6 +7,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/vec2.h"
+#include "tests/support/constants.h"
 
 namespace test_support {
 
@@ -14,7 +15,7 @@ namespace test_support {
 struct ShapeWorld {
   explicit ShapeWorld(ribbon::Vec2 gravity = {0.0, -9.81}) : world(ribbon::box2d::to_float(gravity)) {}
 
-  static constexpr double dt = 1.0 / 60.0;  // s
+  static constexpr double dt = constants::dt;  // s
 
   void tick();
   void tick(int times) {

@@ -5,16 +5,16 @@
 #include <cstddef>
 #include <numbers>
 
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 
 namespace test_support {
 namespace {
 
+using constants::g;
 using ribbon::Cord;
 using ribbon::CordDef;
 using ribbon::Vec2;
-
-constexpr double g = 9.81;  // m/s²
 
 CordDef line_def(const ribbon::Accuracy& accuracy, double mass_per_length) {
   CordDef def;

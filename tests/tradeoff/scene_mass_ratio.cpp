@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "ribbon/box2d/convert.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/tradeoff/contact_run.h"
@@ -11,10 +12,9 @@
 namespace tradeoff {
 namespace {
 
+using constants::infinity;
 using ribbon::Vec2;
 using test_support::CoupledWorld;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double cord_length = 3.0;  // m, as in hang_load
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/constants.h"
 #include "tests/support/pulleys.h"
 #include "tests/tradeoff/measure.h"
 #include "tests/tradeoff/scene_lists.h"
@@ -10,8 +11,8 @@
 namespace tradeoff {
 namespace {
 
-constexpr double g = 9.81;         // m/s²
-constexpr double dt = 1.0 / 60.0;  // s
+using constants::dt;
+using constants::g;
 constexpr int ticks = 120;
 
 /// A cord around wheels that a wall and a block carry.

@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 
+#include "tests/support/constants.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
 #include "tests/tradeoff/scene_lists.h"
@@ -13,12 +14,11 @@
 namespace tradeoff {
 namespace {
 
+using constants::infinity;
 using ribbon::Accuracy;
 using ribbon::Integrator;
 using ribbon::Vec2;
 using test_support::Box2dChain;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int points = test_support::heavy::links + 1;
 

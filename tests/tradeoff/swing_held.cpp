@@ -1,10 +1,10 @@
 #include "tests/tradeoff/swing_held.h"
 
-#include <limits>
 #include <optional>
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
 
@@ -15,7 +15,7 @@ namespace heavy = test_support::heavy;
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 
 class HeldSwing final : public Swing {
  public:

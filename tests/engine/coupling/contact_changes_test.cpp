@@ -6,6 +6,7 @@
 
 #include "ribbon/box2d/coupling.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
@@ -27,7 +28,7 @@ using test_support::path_length;
 using test_support::position;
 using World = test_support::ShapeWorld;
 
-constexpr double dt = World::dt;
+using constants::dt;
 
 double stretch(const Cord& cord) { return path_length(cord.positions()) / cord.def().length - 1.0; }
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
@@ -37,8 +37,8 @@ using test_support::position;
 using test_support::segments_cross;
 using World = test_support::ShapeWorld;
 
-constexpr double dt = World::dt;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::dt;
+using constants::infinity;
 
 /// Returns the penetration of a circle into the cord, m; negative if they do not touch.
 double depth(const Cord& cord, Vec2 middle, double radius) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
@@ -25,9 +25,9 @@ using test_support::path_length;
 using test_support::position;
 using World = test_support::ShapeWorld;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 
-double stretch(const Cord& cord) { return path_length(cord.positions()) / cord.def().length - 1.0; }
+double stretch_of(const Cord& cord) { return path_length(cord.positions()) / cord.def().length - 1.0; }
 
 enum class Obstacle { wall, grazed_floor, floor, stood_on, ceiling, pit };
 
@@ -94,7 +94,7 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
     scene.tick();
     run.gain = std::max(run.gain, energy() - before);
     run.lowest = std::min(run.lowest, position(body).y - floor);
-    run.stretch = std::max(run.stretch, stretch(scene.cord()));
+    run.stretch = std::max(run.stretch, stretch_of(scene.cord()));
     run.off = std::max(run.off, length(scene.cord().positions()[50] - position(body)));
     if (k >= ticks - 100) run.leftover = std::max(run.leftover, length(scene.coupling.body(*body).velocity()));
   }
@@ -164,7 +164,7 @@ TEST(ContactCord, AHeldBodyPushedIntoAWallStays) {
   }
   EXPECT_LE(furthest_in, 0.02);
   EXPECT_LE(fastest, 1e-2);
-  EXPECT_LE(stretch(scene.cord()), 1e-3);
+  EXPECT_LE(stretch_of(scene.cord()), 1e-3);
 }
 
 }  // namespace

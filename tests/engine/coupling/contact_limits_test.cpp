@@ -9,6 +9,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/coupled_world.h"
@@ -35,7 +36,7 @@ using test_support::edge;
 using test_support::max_distance;
 using World = test_support::ShapeWorld;
 
-constexpr double dt = World::dt;
+using constants::dt;
 
 enum class Role { touches, holds, drives };
 

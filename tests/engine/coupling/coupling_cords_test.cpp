@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/coupled_world.h"
 #include "tests/support/points.h"
 
@@ -9,9 +10,8 @@
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Vec2;
-
-constexpr double dt = 1.0 / 60.0;
 
 /// A ribbon of 5 × 2 points of each solver, 2 m long and 0.5 m wide, in a world without gravity.
 struct OneOfEach {

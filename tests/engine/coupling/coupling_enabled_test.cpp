@@ -44,7 +44,7 @@ ribbon::ThesisCord thesis_ribbon() {
   return ribbon::ThesisCord(def);
 }
 
-struct World : test_support::ShapeWorld {
+struct BallWorld : test_support::ShapeWorld {
   b2Body& ball(Vec2 position, double radius = 0.1) { return *add_ball(position, radius, 0.3); }
   std::vector<Vec2> points(ribbon::box2d::CordId cord) const {
     return {coupling.cord(cord).positions().begin(), coupling.cord(cord).positions().end()};
@@ -52,7 +52,7 @@ struct World : test_support::ShapeWorld {
 };
 
 TEST(CouplingEnabled, ADisabledCordDoesNotMoveOrCollide) {
-  World there;
+  BallWorld there;
   there.coupling.add(rope());
   there.coupling.add(thesis_ribbon());
   b2Body& ball = there.ball({1.0, 0.2});
@@ -79,7 +79,7 @@ TEST(CouplingEnabled, ADisabledCordDoesNotMoveOrCollide) {
 TEST(CouplingEnabled, DisablingReleasesHoldersWithTheirVelocity) {
   for (const bool direct : {true, false}) {
     SCOPED_TRACE(direct ? "direct" : "thesis");
-    World there;
+    BallWorld there;
     if (direct) {
       there.coupling.add(rope());
     } else {
@@ -99,7 +99,7 @@ TEST(CouplingEnabled, DisablingReleasesHoldersWithTheirVelocity) {
 }
 
 TEST(CouplingEnabled, ADisabledCordCannotBeHeld) {
-  World there;
+  BallWorld there;
   there.coupling.add(rope());
   there.coupling.cord(0).set_enabled(false);
   b2Body& hand = there.ball({1.0, -1.0});
@@ -117,7 +117,7 @@ TEST(CouplingEnabled, ADisabledCordCannotBeHeld) {
 
 /// Also if no cord is enabled.
 TEST(CouplingEnabled, ContactsEndAndBeginAgain) {
-  World there;
+  BallWorld there;
   there.coupling.add(rope());
   b2Body& ball = there.ball({1.0, 0.11});
   ball.SetGravityScale(0.0F);
@@ -145,7 +145,7 @@ TEST(CouplingEnabled, ContactsEndAndBeginAgain) {
 }
 
 TEST(CouplingEnabled, QueriesSkipADisabledCord) {
-  World there;
+  BallWorld there;
   there.coupling.add(rope(0.0));
   there.coupling.add(rope(1.0));
   there.coupling.cord(0).set_enabled(false);
@@ -163,7 +163,7 @@ TEST(CouplingEnabled, QueriesSkipADisabledCord) {
 /// same bits if that cord is enabled and far away, or disabled and amid them.
 TEST(CouplingEnabled, OtherCordsMoveWithTheSameBits) {
   const auto run = [](bool off) {
-    World there;
+    BallWorld there;
     there.coupling.add(rope(0.0));
     there.coupling.add(off ? rope(0.02) : rope(50.0, 50.0));
     there.coupling.add(rope(0.06, 0.2, false));
@@ -183,7 +183,7 @@ TEST(CouplingEnabled, OtherCordsMoveWithTheSameBits) {
 
 TEST(CouplingEnabled, AnEnabledCordContinuesAsIfNoTimeHadPassed) {
   const auto run = [](int pause) {
-    World there;
+    BallWorld there;
     there.coupling.add(rope());
     there.coupling.add(thesis_ribbon());
     there.tick(20);
@@ -197,7 +197,7 @@ TEST(CouplingEnabled, AnEnabledCordContinuesAsIfNoTimeHadPassed) {
 }
 
 TEST(CouplingEnabled, IsSavedAndRestored) {
-  World there;
+  BallWorld there;
   there.coupling.add(rope());
   const ribbon::box2d::Coupling::State on = there.coupling.save(there.world);
   there.coupling.cord(0).set_enabled(false);
@@ -210,7 +210,7 @@ TEST(CouplingEnabled, IsSavedAndRestored) {
 
 /// After a cord is disabled, the next one takes its place.
 TEST(CouplingEnabled, ReplacingADisabledCordEnablesIt) {
-  World there;
+  BallWorld there;
   there.coupling.add(rope());
   there.coupling.cord(0).set_enabled(false);
   there.coupling.cord(0).replace(rope(1.0));
@@ -222,12 +222,12 @@ TEST(CouplingEnabled, ReplacingADisabledCordEnablesIt) {
 /// A change between gather and apply is not intended, but is safe.
 TEST(CouplingEnabled, AChangeDuringATickIsSafe) {
   for (const bool first : {true, false}) {
-    World there;
+    BallWorld there;
     there.coupling.add(rope());
     there.coupling.cord(0).set_enabled(first);
     b2Body& ball = there.ball({1.0, 0.11});
     if (first) there.coupling.hold(ball, {.cord = 0, .arc = 1.0, .local_anchor = {0.0F, -0.1F}});
-    there.coupling.gather(there.world, World::dt);
+    there.coupling.gather(there.world, BallWorld::dt);
     there.coupling.cord(0).set_enabled(!first);
     there.coupling.step();
     there.coupling.apply();

@@ -10,6 +10,7 @@
 #include "ribbon/ribbon.h"
 #include "tests/engine/coupling/handle_cords.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/refusal.h"
 
 // Ids and handles of cords and grips: what they refer to, and what they do after it is removed.
@@ -17,9 +18,8 @@
 namespace ribbon::box2d {
 namespace {
 
+using constants::dt;
 using test_support::refusal;
-
-constexpr double dt = 1.0 / 60.0;
 
 TEST(CordIds, AreNeverReused) {
   Coupling coupling;

@@ -6,6 +6,7 @@
 #include "ribbon/box2d/box2d.h"
 #include "ribbon/ribbon.h"
 #include "tests/engine/coupling/handle_cords.h"
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 
 // Cords that are removed from a coupling.
@@ -13,7 +14,7 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
 
 TEST(RemovingACord, ReleasesItsHoldersAndEndsItsContactsInTheNextStep) {
   RopeWorld there;

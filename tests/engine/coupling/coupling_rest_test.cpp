@@ -40,7 +40,7 @@ class Counter : public ribbon::box2d::StepWatcher {
   std::size_t stepped = 0;
 };
 
-CordDef hanging(int k) {
+CordDef resting_rope(int k) {
   CordDef def;
   def.points = 8;
   def.length = 0.7;
@@ -63,9 +63,9 @@ CordDef hanging(int k) {
 }
 
 /// A row of cords far from each other, one of them of the thesis's solver.
-struct World : test_support::ShapeWorld {
-  World() {
-    for (int k = 0; k < cords; ++k) coupling.add(ribbon::Cord(hanging(k)));
+struct RestingWorld : test_support::ShapeWorld {
+  RestingWorld() {
+    for (int k = 0; k < cords; ++k) coupling.add(ribbon::Cord(resting_rope(k)));
     ribbon::ThesisDef thesis;
     thesis.w = 5;
     thesis.h = 2;
@@ -87,7 +87,7 @@ struct World : test_support::ShapeWorld {
 };
 
 /// One disturbance, of a kind that a game may cause, near a random cord.
-void disturb(World& world, Dice& dice) {
+void disturb(RestingWorld& world, Dice& dice) {
   const auto id = static_cast<CordId>(dice(0.0, cords));
   const Vec2 place{spacing * id + dice(-0.5, 0.5), dice(-0.9, 0.3)};
   const int kind = static_cast<int>(dice(0.0, 14.0));
@@ -113,7 +113,7 @@ void disturb(World& world, Dice& dice) {
       if (cord.is_valid()) cord.set_enabled(!cord.is_enabled());
       break;
     case 8:
-      if (exists) cord.replace(ribbon::Cord(hanging(static_cast<int>(id))));
+      if (exists) cord.replace(ribbon::Cord(resting_rope(static_cast<int>(id))));
       break;
     case 9:
       if (exists) {
@@ -140,8 +140,8 @@ void disturb(World& world, Dice& dice) {
 TEST(CouplingRest, HasTheBitsOfACouplingThatStepsAllCords) {
   int most_asleep = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
-    World resting;
-    World stepped;
+    RestingWorld resting;
+    RestingWorld stepped;
     Counter counter;
     stepped.coupling.watch(&counter);
     Dice first(seed);
@@ -162,11 +162,11 @@ TEST(CouplingRest, HasTheBitsOfACouplingThatStepsAllCords) {
 }
 
 TEST(CouplingRest, ACordThatIsHeldBetweenGatherAndStepWakes) {
-  World world;
+  RestingWorld world;
   world.tick(300);
   ASSERT_EQ(world.asleep(), cords);
   b2Body* const ground = world.add_body({0.0, -2.0}, b2_staticBody);  // without a fixture
-  world.coupling.gather(world.world, World::dt);
+  world.coupling.gather(world.world, RestingWorld::dt);
   world.coupling.hold(0, 7, *ground, b2Vec2_zero);
   world.coupling.step();
   world.coupling.apply();
@@ -175,10 +175,10 @@ TEST(CouplingRest, ACordThatIsHeldBetweenGatherAndStepWakes) {
 }
 
 TEST(CouplingRest, ACordThatIsChangedBetweenGatherAndStepMovesInThatStep) {
-  World world;
+  RestingWorld world;
   world.tick(300);
   ASSERT_EQ(world.asleep(), cords);
-  world.coupling.gather(world.world, World::dt);
+  world.coupling.gather(world.world, RestingWorld::dt);
   world.coupling.cord(0).direct().set_velocity(5, {1.0, 0.0});
   const Vec2 before = world.coupling.cord(0).positions()[5];
   world.coupling.step();
@@ -187,12 +187,12 @@ TEST(CouplingRest, ACordThatIsChangedBetweenGatherAndStepMovesInThatStep) {
 }
 
 TEST(CouplingRest, ACordThatSleepsWhenItIsAddedIsFoundWhereItIs) {
-  World world;
+  RestingWorld world;
   world.tick(300);
   ASSERT_EQ(world.asleep(), cords);
-  ribbon::Cord sleeping(hanging(0));
+  ribbon::Cord sleeping(resting_rope(0));
   sleeping.restore(world.coupling.cord(0).direct().save());
-  world.coupling.gather(world.world, World::dt);
+  world.coupling.gather(world.world, RestingWorld::dt);
   const CordId added = world.coupling.add(std::move(sleeping));
   world.coupling.step();
   world.coupling.apply();
@@ -204,7 +204,7 @@ TEST(CouplingRest, ACordThatSleepsWhenItIsAddedIsFoundWhereItIs) {
 }
 
 TEST(CouplingRest, OnlyCordsWithSomethingNearAreStepped) {
-  World world;
+  RestingWorld world;
   Counter counter;
   world.tick(300);
   ASSERT_EQ(world.asleep(), cords);
@@ -219,7 +219,7 @@ TEST(CouplingRest, OnlyCordsWithSomethingNearAreStepped) {
 }
 
 TEST(CouplingRest, ATickOfAnotherLengthWakesNoCord) {
-  World world;
+  RestingWorld world;
   world.tick(300);
   ASSERT_EQ(world.asleep(), cords);
   const std::vector<Vec2> before(world.coupling.cord(3).positions().begin(), world.coupling.cord(3).positions().end());

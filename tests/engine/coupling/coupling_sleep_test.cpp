@@ -20,7 +20,7 @@ using ribbon::Vec2;
 
 constexpr int long_enough = 3000;  // ticks
 
-struct World : test_support::ShapeWorld {
+struct SleepyWorld : test_support::ShapeWorld {
   /// Adds a body that may sleep.
   b2Body& ball_of(double mass, Vec2 position) {
     b2Body& body = *add_ball(position, 0.1, mass);
@@ -49,7 +49,7 @@ CordDef rope_def(bool allow_sleep) {
 }
 
 /// A lamp of 1 kg on a rope that hangs down from the origin.
-struct Lamp : World {
+struct Lamp : SleepyWorld {
   explicit Lamp(bool allow_sleep = true) {
     CordDef def = rope_def(allow_sleep);
     def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.0, -0.1});
@@ -63,7 +63,7 @@ struct Lamp : World {
 };
 
 /// A rope between two pins whose distance is a little less than its length, and a ball in its middle.
-struct Hammock : World {
+struct Hammock : SleepyWorld {
   explicit Hammock(bool allow_sleep = true) {
     CordDef def = rope_def(allow_sleep);
     def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.095, 0.0});
@@ -127,7 +127,7 @@ TEST(CouplingSleep, ASleepingBallStaysInContactWithItsRope) {
     ASSERT_EQ(there.coupling.cord(0).island_report().stages, 0);
   }
   EXPECT_NEAR(there.coupling.cord(0).touching()[0].impulse,
-              9.81 * World::dt * static_cast<double>(there.ball->GetMass()), 0.05 * 9.81 * World::dt);
+              9.81 * SleepyWorld::dt * static_cast<double>(there.ball->GetMass()), 0.05 * 9.81 * SleepyWorld::dt);
   there.ball->ApplyLinearImpulseToCenter({0.0F, 1.0F}, true);
   there.tick(10);
   EXPECT_GT(there.coupling.cord(0).island_report().stages, 0);
@@ -137,7 +137,7 @@ TEST(CouplingSleep, ASleepingBallStaysInContactWithItsRope) {
 /// A body that falls on a sleeping rope wakes it in time: it penetrates no deeper than into a rope that never sleeps.
 TEST(CouplingSleep, ABodyThatApproachesWakesARopeInTime) {
   const auto lowest_gap = [](bool allow_sleep) {
-    World there;
+    SleepyWorld there;
     CordDef def = rope_def(allow_sleep);
     def.positions = test_support::equally_spaced(def.points, {0.0, 0.0}, {0.095, 0.0});
     def.pins = {0, 20};
@@ -160,9 +160,9 @@ TEST(CouplingSleep, ABodyThatApproachesWakesARopeInTime) {
 }
 
 TEST(CouplingSleep, ABodyThatLosesItsCordWakes) {
-  const std::vector<std::function<void(World&)>> ways = {
-      [](World& there) { there.coupling.cord(0).set_enabled(false); },
-      [](World& there) {
+  const std::vector<std::function<void(SleepyWorld&)>> ways = {
+      [](SleepyWorld& there) { there.coupling.cord(0).set_enabled(false); },
+      [](SleepyWorld& there) {
         CordDef def = rope_def(true);
         def.positions = test_support::equally_spaced(def.points, {100.0, 0.0}, {0.1, 0.0});
         there.coupling.cord(0).replace(ribbon::Cord(def));

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/state_hash.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 
 // What Coupling::restore refuses, and how it treats bodies that are created or destroyed. That a restored coupling
 // continues with the same bits is tested in tests/bits/restore_test.cpp.
@@ -23,8 +23,8 @@ using ribbon::CordDef;
 using ribbon::DefinitionError;
 using State = ribbon::box2d::Coupling::State;
 
-constexpr double dt = 1.0 / 60.0;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using constants::dt;
+using constants::nan;
 
 /// A rope of the direct solver with a holder at its end and a ball on its middle, and one of the thesis's.
 struct Scene {
@@ -64,7 +64,7 @@ struct Scene {
   ribbon::box2d::GripId grip;
 };
 
-std::uint64_t hash_of(const State& state) {
+std::uint64_t state_hash_of(const State& state) {
   ribbon::box2d::Hasher hasher;
   ribbon::box2d::add_to(hasher, state);
   return hasher.value();
@@ -75,11 +75,11 @@ std::string refusal(Scene& scene, const std::function<void(State&)>& spoil) {
   const State before = scene.coupling.save(scene.world);
   State state = before;
   spoil(state);
-  EXPECT_NE(hash_of(state), hash_of(before)) << "the hash sees it";
+  EXPECT_NE(state_hash_of(state), state_hash_of(before)) << "the hash sees it";
   try {
     scene.coupling.restore(state, scene.world);
   } catch (const DefinitionError& error) {
-    EXPECT_EQ(hash_of(scene.coupling.save(scene.world)), hash_of(before)) << error.what();
+    EXPECT_EQ(state_hash_of(scene.coupling.save(scene.world)), state_hash_of(before)) << error.what();
     return error.what();
   }
   return "accepted";

@@ -7,16 +7,16 @@
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/cord.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/shape_world.h"
 
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Accuracy;
 using ribbon::Integrator;
 using ribbon::Vec2;
-
-constexpr double dt = 1.0 / 60.0;  // s
 
 ribbon::CordDef swinging(const Accuracy& accuracy) {
   ribbon::CordDef def;
@@ -28,8 +28,8 @@ ribbon::CordDef swinging(const Accuracy& accuracy) {
   return def;  // starts along +x, and falls
 }
 
-struct World {
-  explicit World(const Accuracy& accuracy) {
+struct SwingWorld {
+  explicit SwingWorld(const Accuracy& accuracy) {
     coupling.add(ribbon::Cord(swinging(accuracy)));
     b2BodyDef body;
     body.type = b2_dynamicBody;
@@ -53,8 +53,8 @@ struct Outcome {
 };
 
 Outcome run(const Accuracy& accuracy) {
-  World world(accuracy);
-  World exact({Integrator::tr_bdf2, 256, 20, 1e-9});
+  SwingWorld world(accuracy);
+  SwingWorld exact({Integrator::tr_bdf2, 256, 20, 1e-9});
   world.coupling.estimate_errors(true);
   Outcome outcome;
   for (int k = 0; k < 40; ++k) {
@@ -82,8 +82,8 @@ TEST(ErrorEstimate, HasTheSizeAndTheOrderOfTheError) {
 }
 
 TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
-  World watched(Accuracy::balanced());
-  World alone(Accuracy::balanced());
+  SwingWorld watched(Accuracy::balanced());
+  SwingWorld alone(Accuracy::balanced());
   for (int k = 0; k < 60; ++k) {
     watched.coupling.estimate_errors(k % 3 == 0);
     watched.tick();
@@ -98,7 +98,7 @@ TEST(ErrorEstimate, ChangesNoBitOfTheRun) {
 
 /// The estimate copies each cord's state in every tick, and does not accumulate copies.
 TEST(ErrorEstimate, UsesBoundedMemory) {
-  World world(Accuracy::balanced());
+  SwingWorld world(Accuracy::balanced());
   world.coupling.estimate_errors(true);
   const auto taken_in_a_tick = [&] {
     const test_support::AllocationCount count;
@@ -116,7 +116,7 @@ TEST(ErrorEstimate, UsesBoundedMemory) {
 
 /// Cords that are added while errors are estimated, and those of the thesis's solver beside them.
 TEST(ErrorEstimate, FollowsAddedAndRemovedCords) {
-  World world(Accuracy::balanced());
+  SwingWorld world(Accuracy::balanced());
   world.coupling.estimate_errors(true);
   world.tick();
   ribbon::ThesisDef thesis;

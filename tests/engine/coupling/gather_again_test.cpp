@@ -10,6 +10,7 @@
 #include "ribbon/box2d/coupling.h"
 #include "tests/engine/coupling/gather_oracle.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 #include "tests/support/shape_world.h"
@@ -20,10 +21,10 @@
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Vec2;
 using test_support::Dice;
 
-constexpr double dt = 1.0 / 60.0;
 constexpr double spacing = 1.5;  // m, from cord to cord
 constexpr int columns = 14;
 

@@ -11,6 +11,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "tests/engine/coupling/gather_oracle.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
 #include "tests/support/refusal.h"
@@ -21,13 +22,12 @@
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Box;
 using ribbon::CordDef;
 using ribbon::Vec2;
 using test_support::Dice;
 using test_support::filter;
-
-constexpr double dt = 1.0 / 60.0;
 
 /// A world with random changes between ticks.
 class RandomWorld {

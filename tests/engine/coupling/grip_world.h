@@ -9,6 +9,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 #include "tests/support/refusal.h"
 
@@ -18,8 +19,8 @@ using ribbon::Cord;
 using ribbon::CordDef;
 using ribbon::Vec2;
 
-constexpr double dt = 1.0 / 60.0;
-constexpr double g = 9.81;
+using constants::dt;
+using constants::g;
 
 /// A Box2D world with cords, and bodies of 0.2 m radius that hold cords and touch nothing.
 struct GripWorld {

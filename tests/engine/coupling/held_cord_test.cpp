@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
 #include "tests/support/points.h"
@@ -19,13 +19,12 @@
 namespace engine {
 namespace {
 
+using constants::dt;
+using constants::infinity;
 using ribbon::Vec2;
 using test_support::path_length;
 
-constexpr double dt = 1.0 / 60.0;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct World {
+struct HoldingWorld {
   b2World world{{0.0F, -9.81F}};
   ribbon::box2d::Coupling coupling;
   b2Body* body = nullptr;
@@ -64,7 +63,7 @@ TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
   for (int k = 0; k < 60; ++k) exact.step(dt, {0.0, -9.81});
   for (const bool impulse : {true, false}) {
     for (const bool before : {true, false}) {
-      World scene;
+      HoldingWorld scene;
       scene.coupling.add(ribbon::Cord(def));
       scene.make_body({0.0, -6.0}, mass, 0.0);
       scene.coupling.hold(0, 30, *scene.body, {0.0F, 0.0F});
@@ -90,7 +89,7 @@ TEST(HeldCord, AHolderGetsAllImpulsesAndForces) {
 TEST(HeldCord, HeavySwingThroughBox2D) {
   const std::vector<Vec2> exact = test_support::exact_heavy_load();
   for (const double inertia : {0.0, 7.0}) {
-    World scene;
+    HoldingWorld scene;
     ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
     cord.attach_mass(50, 0.0);
     scene.coupling.add(std::move(cord));
@@ -124,7 +123,7 @@ TEST_P(HeldMassRatio, StretchesByItsElasticityAndRests) {
     def.damping = 0.02;
     def.pins = {0};
     for (int p = 0; p <= 30; ++p) def.positions.push_back({0.0, -0.1 * p});
-    World scene;
+    HoldingWorld scene;
     scene.coupling.add(ribbon::Cord(def));
     scene.make_body({0.0, -3.0}, ratio, 0.1 * ratio);
     scene.coupling.hold(0, 30, *scene.body, {0.0F, 0.0F});
@@ -150,7 +149,7 @@ TEST_P(HeldMassRatio, StretchesByItsElasticityAndRests) {
 INSTANTIATE_TEST_SUITE_P(Ratios, HeldMassRatio, testing::Values(168.0, 200.0, 672.0, 1000.0, 1800.0, 1e6));
 
 /// Returns the kinetic energy of a body from its momentary velocities, J.
-double energy(const World& scene, double turning) {
+double energy(const HoldingWorld& scene, double turning) {
   const Vec2 v = scene.coupling.body(*scene.body).velocity();
   return 0.5 * static_cast<double>(scene.body->GetMass()) * dot(v, v) +
          0.5 * static_cast<double>(scene.body->GetInertia()) * turning * turning +
@@ -159,7 +158,7 @@ double energy(const World& scene, double turning) {
 
 /// A bar that is held at its end swings as a pendulum; the angular velocity in Box2D is the mean of a tick.
 TEST(HeldCord, TheAngularVelocityIsThatAtTheEndOfATick) {
-  World scene;
+  HoldingWorld scene;
   ribbon::CordDef def;
   def.points = 2;
   def.length = 0.1;
@@ -251,7 +250,7 @@ class CarryOfABoxOnTheGround : public testing::Test {
 
   double angular_velocity() const { return static_cast<double>(scene.body->GetAngularVelocity()); }
 
-  World scene;
+  HoldingWorld scene;
 };
 
 /// It ends if Box2D has pushed against it, and continues if not.
@@ -285,7 +284,7 @@ TEST_F(CarryOfABoxOnTheGround, DoesNotExtrapolateAnImpact) {
 }
 
 TEST(HeldCord, AfterReleaseBodyAndCordKeepTheirMotion) {
-  World scene;
+  HoldingWorld scene;
   ribbon::Cord cord = test_support::heavy_swing(infinity, ribbon::Accuracy::balanced());
   cord.attach_mass(50, 0.0);
   scene.coupling.add(std::move(cord));
@@ -303,7 +302,7 @@ TEST(HeldCord, AfterReleaseBodyAndCordKeepTheirMotion) {
 }
 
 TEST(HeldCord, CordsOfBothSolversShareAWorld) {
-  World scene;
+  HoldingWorld scene;
   scene.coupling.add(ribbon::ThesisCord(ribbon::ThesisDef{}));
   scene.coupling.add(test_support::heavy_swing(infinity, ribbon::Accuracy::fast()));
   EXPECT_EQ(scene.coupling.cord(0).positions().size(), 50U);

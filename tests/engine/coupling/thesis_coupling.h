@@ -4,6 +4,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "tests/support/constants.h"
 #include "tests/support/shape_world.h"
 
 namespace engine {
@@ -11,7 +12,7 @@ namespace engine {
 using ribbon::ThesisDef;
 using ribbon::Vec2;
 
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
 
 /// A cord of 4 m along +x, its middle line through `left`, 0.2 m wide, 1 kg.
 inline ThesisDef cord_def(Vec2 left = {0.0, 0.0}) {

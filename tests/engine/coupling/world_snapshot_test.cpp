@@ -47,8 +47,8 @@ b2Body& add_ball(b2World& world, b2Vec2 position, b2Vec2 velocity = b2Vec2_zero)
 }
 
 /// A world with a floor, whose upper side is at 0, and a snapshot of each tick.
-struct World {
-  World() { add_box(world, {0.0F, -0.5F}, b2_staticBody, 30.0F); }
+struct SavedWorld {
+  SavedWorld() { add_box(world, {0.0F, -0.5F}, b2_staticBody, 30.0F); }
 
   /// `act` is what the game does in the first of these ticks, after the snapshot.
   void tick(
@@ -118,10 +118,10 @@ struct Tries {
   float largest = 0.0F;  // m
 };
 
-Tries tries(const std::function<void(World&)>& build) {
+Tries tries(const std::function<void(SavedWorld&)>& build) {
   Tries result;
   for (int ticks = back + 1; ticks < 150; ticks += 4) {
-    World world;
+    SavedWorld world;
     build(world);
     world.tick(ticks);
     const std::vector<b2Vec2> places = positions(world.world);
@@ -135,7 +135,7 @@ Tries tries(const std::function<void(World&)>& build) {
   return result;
 }
 
-void drop_boxes(World& world, int count) {
+void drop_boxes(SavedWorld& world, int count) {
   for (int k = 0; k < count; ++k) {
     const auto column = static_cast<float>(k % 6);
     const int row = k / 6;
@@ -146,7 +146,7 @@ void drop_boxes(World& world, int count) {
 }
 
 TEST(WorldSnapshot, PutsBodiesAndContactsBack) {
-  World world;
+  SavedWorld world;
   b2Body& box = add_box(world.world, {0.0F, 0.7F});
   b2Body& lid = add_box(world.world, {0.1F, 1.8F});
   b2Body& wheel = add_ball(world.world, {4.0F, 0.4F}, {3.0F, 0.0F});
@@ -175,7 +175,7 @@ TEST(WorldSnapshot, PutsBodiesAndContactsBack) {
 
 /// The contacts of boxes on the floor: the oldest and one in the middle were destroyed since then.
 TEST(WorldSnapshot, PutsTheOrderOfContactsBack) {
-  World world;
+  SavedWorld world;
   std::vector<b2Body*> boxes;
   for (int k = 0; k < 6; ++k) boxes.push_back(&add_box(world.world, {2.0F * static_cast<float>(k), 0.5F}));
   world.tick(10);
@@ -202,7 +202,7 @@ TEST(WorldSnapshot, KeepsTheFilterAndTheListenerOfTheGame) {
     void PreSolve(b2Contact*, const b2Manifold*) override { ++calls; }
     int calls = 0;
   } listener;
-  World world;
+  SavedWorld world;
   world.world.SetContactFilter(&filter);
   world.world.SetContactListener(&listener);
   b2Body& first = add_box(world.world, {0.0F, 0.5F});
@@ -225,7 +225,7 @@ TEST(WorldSnapshot, TouchingFlagsAreThoseOfTheLastStep) {
     void BeginContact(b2Contact*) override { ++begins; }
     int begins = 0;
   } listener;
-  World world;
+  SavedWorld world;
   world.world.SetContinuousPhysics(false);
   world.world.SetContactListener(&listener);
   b2Body& ball = add_ball(world.world, {0.0F, 1.3F});
@@ -247,7 +247,7 @@ TEST(WorldSnapshot, TouchingFlagsAreThoseOfTheLastStep) {
 
 /// A fast ball touches the floor within a step, and is above it at the start of the step.
 TEST(WorldSnapshot, PutsTouchingFlagsOfContinuousCollisionBack) {
-  World world;
+  SavedWorld world;
   b2Body& ball = add_ball(world.world, {0.0F, 5.0F}, {0.0F, -20.0F});
   const auto touches = [&ball] {
     return ball.GetContactList() != nullptr && ball.GetContactList()->contact->IsTouching();
@@ -262,7 +262,7 @@ TEST(WorldSnapshot, PutsTouchingFlagsOfContinuousCollisionBack) {
 
 /// The game moved a box onto the floor, and no step has found the contact yet. In the other future it got impulses.
 TEST(WorldSnapshot, AContactThatWasNotThereStartsWithoutImpulses) {
-  World world;
+  SavedWorld world;
   b2Body& box = add_box(world.world, {0.0F, 9.0F});
   world.tick(10);
   box.SetTransform({0.0F, 0.5F}, 0.0F);
@@ -273,7 +273,7 @@ TEST(WorldSnapshot, AContactThatWasNotThereStartsWithoutImpulses) {
 }
 
 TEST(WorldSnapshot, PutsSleepBack) {
-  World world;
+  SavedWorld world;
   b2Body& box = add_box(world.world, {0.0F, 0.5F});
   while (box.IsAwake()) world.tick();
   const std::vector<float> asleep = picture(world.world);
@@ -283,7 +283,7 @@ TEST(WorldSnapshot, PutsSleepBack) {
   EXPECT_FALSE(box.IsAwake());
   EXPECT_EQ(picture(world.world), asleep);
 
-  World other;
+  SavedWorld other;
   b2Body& falling = add_box(other.world, {0.0F, 0.9F});
   other.tick(back);
   const std::vector<float> awake = picture(other.world);
@@ -295,14 +295,14 @@ TEST(WorldSnapshot, PutsSleepBack) {
 
 /// A world that is built anew has no contacts, and its first solve would start without impulses.
 TEST(WorldSnapshot, InAnEqualWorldContinuesWithTheSameBits) {
-  const auto build = [](World& world) {
+  const auto build = [](SavedWorld& world) {
     for (int k = 0; k < 4; ++k)
       add_box(world.world, {0.1F * static_cast<float>(k), 0.6F + 1.1F * static_cast<float>(k)});
   };
-  World world;
+  SavedWorld world;
   build(world);
   world.tick(40);
-  World other;
+  SavedWorld other;
   build(other);
   other.tick();
   world.at(39).restore(other.world, &world.at(38));
@@ -316,7 +316,7 @@ TEST(WorldSnapshot, InAnEqualWorldContinuesWithTheSameBits) {
 }
 
 TEST(WorldSnapshot, OfAnotherWorldIsRefused) {
-  World world;
+  SavedWorld world;
   b2Body& box = add_box(world.world, {0.0F, 0.5F});
   world.tick(10);
   b2CircleShape circle;
@@ -346,7 +346,7 @@ TEST(WorldSnapshot, ALockedWorldIsRefused) {
     WorldSnapshot snapshot;
     int calls = 0;
   } listener;
-  World world;
+  SavedWorld world;
   add_box(world.world, {0.0F, 0.5F});
   listener.world = &world.world;
   listener.snapshot.save(world.world);
@@ -356,7 +356,7 @@ TEST(WorldSnapshot, ALockedWorldIsRefused) {
 }
 
 TEST(WorldSnapshot, AllocatesNothingAgain) {
-  World world;
+  SavedWorld world;
   drop_boxes(world, 12);
   world.tick(60);
   world.go_back();
@@ -373,7 +373,7 @@ TEST(WorldSnapshot, AllocatesNothingAgain) {
 }
 
 TEST(WorldSnapshot, BodiesOnTheFloorContinueWithTheSameBits) {
-  const Tries result = tries([](World& world) {
+  const Tries result = tries([](SavedWorld& world) {
     world.world.SetAllowSleeping(false);
     for (int k = 0; k < 5; ++k) {
       const auto x = static_cast<float>(3 * k);
@@ -387,7 +387,7 @@ TEST(WorldSnapshot, BodiesOnTheFloorContinueWithTheSameBits) {
 /// Box2D finds several new contacts of a body in one tick in the order of its tree, which is private. In a pile the
 /// order of the contacts decides which box slips first. Measured: 35 of 36 tries with the same places, and 1.5 mm.
 TEST(WorldSnapshot, APileContinuesNearlyTheSame) {
-  const Tries result = tries([](World& world) {
+  const Tries result = tries([](SavedWorld& world) {
     world.world.SetAllowSleeping(false);
     drop_boxes(world, 48);
   });
@@ -398,7 +398,7 @@ TEST(WorldSnapshot, APileContinuesNearlyTheSame) {
 /// The contacts of a body with several edges of one chain are created at once, in the order of the tree too. Measured:
 /// 35 of 36 tries, and 0.3 mm.
 TEST(WorldSnapshot, APileOnAChainContinuesNearlyTheSame) {
-  const Tries result = tries([](World& world) {
+  const Tries result = tries([](SavedWorld& world) {
     world.world.SetAllowSleeping(false);
     std::vector<b2Vec2> hills;
     for (int k = -20; k <= 20; ++k) {
@@ -416,7 +416,7 @@ TEST(WorldSnapshot, APileOnAChainContinuesNearlyTheSame) {
 
 /// The impulses of joints are private and stay those of eight ticks later. Measured: 7.4 mm.
 TEST(WorldSnapshot, JointsContinueNearlyTheSame) {
-  const Tries result = tries([](World& world) {
+  const Tries result = tries([](SavedWorld& world) {
     b2Body* before = world.world.GetBodyList();
     for (int k = 0; k < 6; ++k) {
       b2Body& link = add_ball(world.world, {1.0F * static_cast<float>(k + 1), 9.0F});
@@ -433,8 +433,8 @@ TEST(WorldSnapshot, JointsContinueNearlyTheSame) {
 /// No function of the public state can be exact: two worlds have the same public state, and differ later. In one of
 /// them the box has been at rest for 20 ticks; in the other its rest was just interrupted.
 TEST(WorldSnapshot, CannotBeExactBecauseTheRestTimeIsPrivate) {
-  World rested;
-  World woken;
+  SavedWorld rested;
+  SavedWorld woken;
   b2Body& box = add_box(rested.world, {0.0F, 0.5F});
   b2Body& same_box = add_box(woken.world, {0.0F, 0.5F});
   rested.tick(20);

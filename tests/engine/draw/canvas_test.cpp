@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/draw/canvas_raster.h"
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 
 using engine::Align;
@@ -25,7 +26,7 @@ using test_support::distance_to_path;
 namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 constexpr double pi = std::numbers::pi;
 
 /// Records what it is asked to paint.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 
 #include "engine/draw/canvas_raster.h"
 #include "engine/draw/pixel_pairs.h"
+#include "tests/support/constants.h"
 #include "tests/support/pixels.h"
 #include "tests/support/points.h"
 
@@ -23,7 +23,7 @@ using test_support::distance_to_path;
 using test_support::pixel;
 
 constexpr Color white{255, 255, 255};
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 
 /// Four corners around a rectangle, with the whole image on it.
 TexturedMesh rectangle(Vec2 from, Vec2 to, Color color = white) {

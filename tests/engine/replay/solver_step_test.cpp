@@ -7,12 +7,13 @@
 #include <limits>
 #include <string>
 
+#include "tests/support/constants.h"
 #include "tests/support/refusal.h"
 
 namespace engine {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 
 /// A rope on a circle and a segment, held by a body.
 SolverStep some_step() {

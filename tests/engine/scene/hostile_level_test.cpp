@@ -17,9 +17,9 @@ using test_support::refusal;
 using test_support::says;
 using test_support::starts_with;
 
-using Property = std::pair<std::string, std::string>;  // name and value, as in the file
+using NamedValue = std::pair<std::string, std::string>;  // name and value, as in the file
 
-std::string property(const Property& p) {
+std::string property(const NamedValue& p) {
   const char* const type = p.second.find('"') != std::string::npos             ? "string"
                            : p.second == "true"                                ? "bool"
                            : p.second.find_first_of(".e") != std::string::npos ? "float"
@@ -28,7 +28,8 @@ std::string property(const Property& p) {
 }
 
 /// A level with one object with these fields and properties, behind others; of equal names the last one counts.
-std::string level(const std::string& fields, const std::vector<Property>& properties, const std::string& others = {}) {
+std::string level(const std::string& fields, const std::vector<NamedValue>& properties,
+                  const std::string& others = {}) {
   std::string list;
   for (std::size_t k = 0; k < properties.size(); ++k) {
     bool again = false;
@@ -76,7 +77,7 @@ const std::vector<std::string> hostile = {"-1",    "0",      "0.0",    "-0.0",  
 
 struct Kind {
   std::string fields;
-  std::vector<Property> properties;
+  std::vector<NamedValue> properties;
   std::vector<std::string> numbers;
   std::string others = {};
 };
@@ -140,7 +141,7 @@ TEST(HostileLevel, EveryPropertyIsAcceptedOrRefusedByName) {
   for (const Kind& kind : kinds) {
     for (const std::string& name : kind.numbers) {
       for (const std::string& value : hostile) {
-        std::vector<Property> properties = kind.properties;
+        std::vector<NamedValue> properties = kind.properties;
         properties.emplace_back(name, value);
         expect_runs_or_is_refused(level(kind.fields, properties, kind.others), name);
       }
@@ -183,8 +184,8 @@ TEST(HostileLevel, EveryPositionAndSizeIsAcceptedOrRefusedByName) {
 /// An object that is a ribbon of 50,000 points.
 std::string wide_ribbon(const std::string& id) {
   std::string ribbon = R"({"id":)" + id + R"(,"x":0,"y":0,)" + polyline + R"(,"properties":[)";
-  for (const Property& p :
-       {Property{"mass", "1.0"}, {"rows", "10"}, {"stretch_stiffness", "1e6"}, {"bending_stiffness", "1e-3"}}) {
+  for (const NamedValue& p :
+       {NamedValue{"mass", "1.0"}, {"rows", "10"}, {"stretch_stiffness", "1e6"}, {"bending_stiffness", "1e-3"}}) {
     ribbon += property(p);
     ribbon += ',';
   }

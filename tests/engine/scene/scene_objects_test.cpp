@@ -25,7 +25,7 @@ MapObject cord(int id, bool pinned = true) {
 }
 
 /// A load 1 m wide and high, with its top 0.2 m below the cord's end.
-MapObject load(int id, std::int64_t of_cord) {
+MapObject block_on(int id, std::int64_t of_cord) {
   MapObject object = thing(id, "load", MapShape::rectangle, {5.0, 6.3});
   object.size = {1.0, 1.0};
   object.properties.insert("mass", 400.0);
@@ -34,7 +34,7 @@ MapObject load(int id, std::int64_t of_cord) {
 }
 
 TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {
-  Scene scene(map_of({load(8, 7), cord(7)}));  // in either order
+  Scene scene(map_of({block_on(8, 7), cord(7)}));  // in either order
   ASSERT_EQ(scene.bodies().size(), 1U);
   const SceneBody made = scene.bodies()[0];
   EXPECT_EQ(made.kind, BodyKind::load);
@@ -51,7 +51,7 @@ TEST(SceneLoad, HangsFromTheNearerEndOfTheCordItNames) {
 TEST(SceneLoad, HangsByItsTopEdgeOrFromWithin) {
   for (const double y : {6.5, 6.8}) {
     SCOPED_TRACE(y);
-    MapObject block = load(8, 7);
+    MapObject block = block_on(8, 7);
     block.position = {5.0, y};
     Scene scene(map_of({cord(7), block}));
     b2Body& body = *scene.bodies()[0].body;
@@ -69,23 +69,24 @@ TEST(SceneLoad, HangsByItsTopEdgeOrFromWithin) {
 }
 
 TEST(SceneLoad, WithoutACordFalls) {
-  Scene scene(map_of({load(8, 0)}));
+  Scene scene(map_of({block_on(8, 0)}));
   for (int k = 0; k < 60; ++k) scene.tick(1.0 / 60.0);
   EXPECT_LT(scene.bodies()[0].body->GetPosition().y, 2.0F);
 }
 
 TEST(SceneLoad, IsRefusedWithTheObjectAndPropertyNamed) {
-  EXPECT_NE(refusal(map_of({cord(7), load(8, 12)})).find("object 8"), std::string::npos);
-  EXPECT_NE(refusal(map_of({cord(7), load(8, 12)})).find("\"cord\" is 12, and there is no such object"),
+  EXPECT_NE(refusal(map_of({cord(7), block_on(8, 12)})).find("object 8"), std::string::npos);
+  EXPECT_NE(refusal(map_of({cord(7), block_on(8, 12)})).find("\"cord\" is 12, and there is no such object"),
             std::string::npos);
-  EXPECT_NE(refusal(map_of({cord(7), load(8, 9), load(9, 0)})).find("an object of class \"load\""), std::string::npos);
-  MapObject far = load(8, 7);
+  EXPECT_NE(refusal(map_of({cord(7), block_on(8, 9), block_on(9, 0)})).find("an object of class \"load\""),
+            std::string::npos);
+  MapObject far = block_on(8, 7);
   far.position = {5.0, 2.0};
   EXPECT_NE(refusal(map_of({cord(7), far})).find("from the end of its cord"), std::string::npos);
-  MapObject shape = load(8, 7);
+  MapObject shape = block_on(8, 7);
   shape.shape = MapShape::point;
   EXPECT_NE(refusal(map_of({cord(7), shape})).find("the shape of a load is point"), std::string::npos);
-  MapObject none = load(8, 7);
+  MapObject none = block_on(8, 7);
   none.properties = Properties("test.tmj: object 8");
   EXPECT_NE(refusal(map_of({cord(7), none})).find("mass"), std::string::npos);
 }
@@ -255,7 +256,7 @@ TEST(SceneCord, HangsFromTheCornerOfARockThatItIsFixedIn) {
 }
 
 TEST(Replacing, ACordReleasesItsHoldersAndResetsItsCounts) {
-  Scene scene(map_of({cord(7), load(8, 7)}));
+  Scene scene(map_of({cord(7), block_on(8, 7)}));
   for (int k = 0; k < 10; ++k) scene.tick(1.0 / 60.0);
   ribbon::CordDef def;
   def.points = 5;
@@ -296,7 +297,7 @@ TEST(NearestPlace, IsBetweenPointsOfADirectCordAndNotOnTheExcludedCord) {
 }
 
 TEST(MovingAHand, MovesTheBodyAndRefusesAGripThatDoesNotExist) {
-  Scene scene(map_of({cord(7), load(8, 0)}));
+  Scene scene(map_of({cord(7), block_on(8, 0)}));
   b2Body& body = *scene.bodies()[0].body;
   ribbon::box2d::GripDef grip;
   grip.arc = 2.0;

@@ -9,13 +9,13 @@
 
 #include "ribbon/box2d/convert.h"
 #include "tests/engine/scene/scene_map.h"
+#include "tests/support/constants.h"
 
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Vec2;
-
-constexpr double dt = 1.0 / 60.0;
 
 MapObject path(std::vector<Vec2> points, bool closed = false) {
   MapObject object = thing(5, "path", closed ? MapShape::polygon : MapShape::polyline, points.front());

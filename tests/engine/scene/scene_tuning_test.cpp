@@ -8,6 +8,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/scene/tiled_edit.h"
+#include "tests/support/constants.h"
 #include "tests/support/mixed_level.h"
 
 namespace {
@@ -16,7 +17,7 @@ using engine::Properties;
 using engine::Scene;
 using engine::TiledMap;
 
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
 const std::vector<std::string> others = {"player", "goal"};
 
 /// The first cord of each solver in a level with both.

@@ -7,16 +7,16 @@
 #include "engine/scene/scene_tuning.h"
 #include "ribbon/box2d/convert.h"
 #include "tests/engine/scene/scene_map.h"
+#include "tests/support/constants.h"
 #include "tests/support/refusal.h"
 
 namespace engine {
 namespace {
 
+using constants::dt;
 using ribbon::Vec2;
 using ribbon::box2d::PulleyState;
 using test_support::says;
-
-constexpr double dt = 1.0 / 60.0;
 
 MapObject wheel(int id, std::int64_t of_cord, Vec2 position) {
   MapObject object = thing(id, "wheel", MapShape::ellipse, position, {0.5, 0.5});
@@ -32,7 +32,7 @@ MapObject rope(std::vector<Vec2> corners) {
   return object;
 }
 
-MapObject load(int id, Vec2 position, double mass) {
+MapObject weight_at(int id, Vec2 position, double mass) {
   MapObject object = thing(id, "load", MapShape::rectangle, position, {0.3, 0.3});
   object.properties.insert("mass", mass);
   object.properties.insert("cord", std::int64_t{7});
@@ -52,8 +52,8 @@ TEST(SceneWheel, IsRefusedForARopeAtRest) {
 
 /// The heavier load pulls the lighter one up to the disc of the wheel.
 TEST(SceneWheel, StopsALoadThatReachesIt) {
-  Scene scene(
-      map_of({wheel(9, 7, {5.0, 8.0}), load(10, {4.75, 4.85}, 10.0), over_a_wheel(), load(11, {5.25, 4.85}, 30.0)}));
+  Scene scene(map_of(
+      {wheel(9, 7, {5.0, 8.0}), weight_at(10, {4.75, 4.85}, 10.0), over_a_wheel(), weight_at(11, {5.25, 4.85}, 30.0)}));
   const b2Body& lifted = *scene.bodies()[0].body;
   const auto distance = [&lifted] { return length(ribbon::box2d::to_double(lifted.GetPosition()) - Vec2{5.0, 8.0}); };
   double nearest = distance();
@@ -73,7 +73,7 @@ TEST(SceneWheel, StopsALoadThatReachesIt) {
 TEST(SceneWheel, CarriesARopeWithLoads) {
   MapObject turning = wheel(9, 7, {5.0, 8.0});
   turning.properties.insert("inertia", 2.0 * 0.25 * 0.25);
-  Scene scene(map_of({turning, load(10, {4.75, 4.85}, 10.0), over_a_wheel(), load(11, {5.25, 4.85}, 12.0)}));
+  Scene scene(map_of({turning, weight_at(10, {4.75, 4.85}, 10.0), over_a_wheel(), weight_at(11, {5.25, 4.85}, 12.0)}));
   ASSERT_EQ(scene.wheels().size(), 1U);
   EXPECT_EQ(scene.wheels()[0].object, 9);
   for (int k = 0; k < 30; ++k) scene.tick(dt);
@@ -90,7 +90,7 @@ TEST(SceneWheel, IsCarriedByALoad) {
   MapObject bight = rope({{4.75, 9.0}, {5.0, 4.75}, {5.25, 9.0}});
   bight.properties.insert("pin_first", true);
   bight.properties.insert("pin_last", true);
-  MapObject block = load(10, {5.0, 4.6}, 30.0);
+  MapObject block = weight_at(10, {5.0, 4.6}, 30.0);
   block.properties = Properties("test.tmj: object 10");
   block.properties.insert("mass", 30.0);
   MapObject sheave = wheel(9, 7, {5.0, 5.0});
@@ -108,7 +108,7 @@ TEST(SceneWheel, RunsByItsMotor) {
   drum.properties.insert("motor_speed", 2.0);
   drum.properties.insert("motor_torque", 1000.0);
   drum.properties.insert("turns", std::int64_t{1});
-  Scene scene(map_of({over_a_wheel(), drum, load(10, {4.75, 4.85}, 10.0), load(11, {5.25, 4.85}, 10.0)}));
+  Scene scene(map_of({over_a_wheel(), drum, weight_at(10, {4.75, 4.85}, 10.0), weight_at(11, {5.25, 4.85}, 10.0)}));
   for (int k = 0; k < 60; ++k) scene.tick(dt);
   EXPECT_NEAR(scene.coupling().pulley(scene.wheels()[0].pulley).state().turning, 2.0, 1e-6);
   EXPECT_NEAR(static_cast<double>(scene.bodies()[1].body->GetLinearVelocity().y), 2.0 * 0.25, 0.02);
@@ -116,7 +116,8 @@ TEST(SceneWheel, RunsByItsMotor) {
 
 TEST(SceneWheel, KeepsItsRopeWhileThatIsTuned) {
   MapObject cord = over_a_wheel();
-  Scene scene(map_of({cord, wheel(9, 7, {5.0, 8.0}), load(10, {4.75, 4.85}, 10.0), load(11, {5.25, 4.85}, 10.0)}));
+  Scene scene(
+      map_of({cord, wheel(9, 7, {5.0, 8.0}), weight_at(10, {4.75, 4.85}, 10.0), weight_at(11, {5.25, 4.85}, 10.0)}));
   for (int k = 0; k < 30; ++k) scene.tick(dt);
   const double length = scene.coupling().cord(0).direct().def().length;
   cord.properties.insert("stretch_stiffness", 1e6);

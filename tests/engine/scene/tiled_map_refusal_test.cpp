@@ -20,8 +20,6 @@ namespace {
 
 using test_support::says;
 
-const std::string file = "levels/swing.tmj";
-
 TEST(TiledMap, LoadsFromAFileAndNamesItInErrors) {
   const std::string path = testing::TempDir() + "tiled_map_test_" + std::to_string(getpid()) + ".tmj";
   std::ofstream(path) << map_of(list(point())).dump(1);

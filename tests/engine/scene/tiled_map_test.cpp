@@ -18,8 +18,6 @@ namespace {
 using std::numbers::pi;
 using test_support::says;
 
-const std::string file = "levels/swing.tmj";
-
 void expect_near(ribbon::Vec2 a, ribbon::Vec2 b) {
   EXPECT_NEAR(a.x, b.x, 1e-14);
   EXPECT_NEAR(a.y, b.y, 1e-14);

@@ -15,8 +15,6 @@ namespace {
 
 using test_support::says;
 
-const std::string file = "levels/swing.tmj";
-
 TEST(Properties, AreReadByType) {
   const Properties p =
       load_object(point(list(property("stiffness", "float", 1.5), property("whole", "float", 2),

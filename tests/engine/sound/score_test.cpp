@@ -11,7 +11,7 @@ namespace {
 using engine::parse_score;
 using engine::Score;
 
-const std::string head = "tempo 60\nmeter 4\nvoice lute pluck volume 0.6 ring 2 bright 0.4\nvoice mist pad\n";
+const std::string two_voices = "tempo 60\nmeter 4\nvoice lute pluck volume 0.6 ring 2 bright 0.4\nvoice mist pad\n";
 
 std::string refused(const std::string& text) {
   return test_support::refusal<engine::SoundError>([&] { parse_score(text, "a.score"); });
@@ -19,7 +19,8 @@ std::string refused(const std::string& text) {
 
 TEST(Score, PlacesTheNotesInTheirBars) {
   const Score score = parse_score(
-      head + "# a comment\nsection a\nlute: A4 - . C#4 | Bb2+C3  # one more\nmist: D3 | -\nplay a a\n", "a.score");
+      two_voices + "# a comment\nsection a\nlute: A4 - . C#4 | Bb2+C3  # one more\nmist: D3 | -\nplay a a\n",
+      "a.score");
   EXPECT_EQ(score.seconds, 16.0);
   ASSERT_EQ(score.voices.size(), 2U);
   EXPECT_EQ(score.voices[0].volume, 0.6);
@@ -49,21 +50,21 @@ TEST(Score, NamesTheLineThatIsWrongAndWhatIsAccepted) {
             "a.score:2: the voice a is there twice; accepted is a name of its own for each");
   EXPECT_EQ(refused("section a\n"),
             "a.score:1: a section comes too early; accepted is tempo, meter and a voice before it");
-  EXPECT_EQ(refused(head + "section a\nlute: H4\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: H4\n"),
             "a.score:6: there is a note H4; accepted is a note such as D3, F#4 or D3+Bb3 (C1 to B7), . or -");
-  EXPECT_EQ(refused(head + "section a\nhorn: A4\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nhorn: A4\n"),
             "a.score:6: no voice is named horn; accepted is a voice that is declared");
-  EXPECT_EQ(refused(head + "section a\nlute: . -\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: . -\n"),
             "a.score:6: a hold (-) has no note before it in its section; accepted is a note before it");
-  EXPECT_EQ(refused(head + "section a\nlute: A4 | | A4\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: A4 | | A4\n"),
             "a.score:6: a bar is empty; accepted is a note, . or - in each bar");
-  EXPECT_EQ(refused(head + "section a\nlute: A4 | A4\nmist: A4\nplay a\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: A4 | A4\nmist: A4\nplay a\n"),
             "a.score:8: in section a the voice mist has 1 bars, another has 2; accepted is the same number");
-  EXPECT_EQ(refused(head + "section a\nlute: A4\nplay b\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: A4\nplay b\n"),
             "a.score:7: no section is named b; accepted is a section above");
-  EXPECT_EQ(refused(head + "section a\nlute: A4\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: A4\n"),
             "a.score:6: the score ends without a line play; accepted is play SECTION …");
-  EXPECT_EQ(refused(head + "section a\nlute: A4\nplay a\nplay a\n"),
+  EXPECT_EQ(refused(two_voices + "section a\nlute: A4\nplay a\nplay a\n"),
             "a.score:8: there is a line after play; accepted is one line play at the end");
   EXPECT_EQ(
       refused("sing\n"),
@@ -73,16 +74,16 @@ TEST(Score, NamesTheLineThatIsWrongAndWhatIsAccepted) {
 TEST(Score, HasAGreatestSize) {
   std::string bars = "lute: A4";
   for (int k = 0; k < 90; ++k) bars += " | A4";
-  EXPECT_NE(refused(head + "section a\n" + bars + "\nplay a\n").find("longer than 300 s"), std::string::npos);
+  EXPECT_NE(refused(two_voices + "section a\n" + bars + "\nplay a\n").find("longer than 300 s"), std::string::npos);
   EXPECT_NE(refused(std::string(Score::max_bytes + 1, '#')).find("larger than 64 KiB"), std::string::npos);
   std::string words = "lute: A4";
   for (int k = 0; k < 64; ++k) words += " A4";
-  EXPECT_NE(refused(head + "section a\n" + words + "\n").find("more than 64 words"), std::string::npos);
+  EXPECT_NE(refused(two_voices + "section a\n" + words + "\n").find("more than 64 words"), std::string::npos);
 }
 
 /// Cut at every byte, and with every byte changed: the score is accepted or refused, and the message names a line.
 TEST(Score, ABrokenScoreIsRefusedWithAMessage) {
-  const std::string whole = head + "section a\nlute: A4 - . C#4 | Bb2+C3\nmist: D3 | -\nplay a a\n";
+  const std::string whole = two_voices + "section a\nlute: A4 - . C#4 | Bb2+C3\nmist: D3 | -\nplay a a\n";
   int accepted = 0;
   const auto read = [&](const std::string& text) {
     try {

@@ -7,6 +7,7 @@
 
 #include "ribbon/cord.h"
 #include "tests/extremes/any_scene/geometry.h"
+#include "tests/support/slot.h"
 
 namespace any_scene {
 
@@ -15,7 +16,7 @@ using ribbon::Vec2;
 
 namespace {
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 /// Erases the parts that refer to a removed thing, and decrements the indices of the parts behind it.
 template <typename Part>

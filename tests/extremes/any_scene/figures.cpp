@@ -6,13 +6,15 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/slot.h"
+
 namespace any_scene {
 
 using ribbon::Vec2;
 
 namespace {
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 }  // namespace
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "tests/support/slot.h"
+
 namespace any_scene {
 
 using ribbon::Vec2;
@@ -13,7 +15,7 @@ namespace {
 constexpr double own_neighbourhood = 3.0;  // radii, as in the solver
 constexpr double polygon_skin = 0.01;      // m, b2_polygonRadius
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 double depth_in_box(Vec2 half, Vec2 a, Vec2 b) {
   const auto inside = [&](double s) {

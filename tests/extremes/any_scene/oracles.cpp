@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "tests/support/slot.h"
+
 namespace any_scene {
 
 using ribbon::Vec2;
@@ -15,7 +17,7 @@ namespace {
 constexpr int same_crossing = 4;           // links by which a crossing may slide in a tick and still count as the same
 constexpr double coincident_share = 1e-6;  // of the contact distance: links that are nearer have no sides
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 struct Pair {
   int i;

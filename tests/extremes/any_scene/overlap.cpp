@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/extremes/any_scene/oracles.h"
+#include "tests/support/slot.h"
 
 namespace any_scene {
 
@@ -12,7 +13,7 @@ using ribbon::Vec2;
 
 namespace {
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 /// Returns a solid's core as segments: a circle's centre, an edge, a box's sides.
 std::vector<std::array<Vec2, 2>> sides(const Solid& solid, const Pose& pose) {

@@ -5,6 +5,7 @@
 
 #include "tests/extremes/any_scene/edit.h"
 #include "tests/extremes/any_scene/oracles.h"
+#include "tests/support/slot.h"
 
 namespace any_scene {
 
@@ -13,11 +14,11 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr double clearance = 1e-3;  // m
-constexpr double touching = 1e-6;   // m, allowed overlap of a holder and its cord
+constexpr double clearance = 1e-3;       // m
+constexpr double holder_overlap = 1e-6;  // m, allowed overlap of a holder and its cord
 constexpr int tries = 100;
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 /// Rotates by the angle 2·atan(t).
 Vec2 turned(Vec2 d, double t) {
@@ -196,7 +197,7 @@ bool Placer::hold_at(int solid, const Solid& moved, Vec2 hand, Hold& hold) {
   Scene others = scene_;
   others.cords.erase(others.cords.begin() + hold.cord);
   if (!Placer(others).is_clear(moved, solid)) return false;
-  if (overlap(def, outline(def, def.positions), moved) > touching) return false;
+  if (overlap(def, outline(def, def.positions), moved) > holder_overlap) return false;
   scene_.solids[slot(solid)] = moved;
   hold.local_anchor = pose_of(moved).to_local(hand);
   return true;

@@ -14,7 +14,7 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr int tries = 300;
+constexpr int reeving_tries = 300;
 
 /// The wheels and the ends of a rope that runs up on the left of a wheel on a wall, and down on the left of a block.
 struct Layout {
@@ -153,7 +153,7 @@ bool add_rope(Dice& dice, Layout& layout, Scene& scene) {
 }  // namespace
 
 bool add_reeved_rope(Dice& dice, Scene& scene) {
-  for (int k = 0; k < tries; ++k) {
+  for (int k = 0; k < reeving_tries; ++k) {
     Scene with_rope = scene;
     Layout layout = some_layout(dice);
     try {

@@ -6,6 +6,7 @@
 #include "tests/extremes/any_scene/edit.h"
 #include "tests/extremes/any_scene/figures.h"
 #include "tests/extremes/any_scene/oracles.h"
+#include "tests/support/slot.h"
 
 namespace any_scene {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr double touching = 1e-4;   // m, the overlap or separation allowed for rounding
 constexpr double stretched = 1e-4;  // the relative length error of links allowed for rounding
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 double ends(const Summary& run) { return run.end == End::crashed || run.end == End::broken ? 1.0 : 0.0; }
 

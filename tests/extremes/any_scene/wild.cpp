@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tests/support/slot.h"
+
 namespace any_scene {
 
 using ribbon::CordDef;
@@ -9,7 +11,7 @@ using ribbon::Vec2;
 
 namespace {
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 int some_cord(Dice& dice, const Scene& scene) {
   return random_integer(dice, 0, static_cast<int>(scene.cords.size()) - 1);

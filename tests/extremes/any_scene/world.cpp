@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ribbon/box2d/convert.h"
+#include "tests/support/slot.h"
 
 namespace any_scene {
 
@@ -18,7 +19,7 @@ namespace {
 constexpr double closed_gap = 1e-3;  // m
 constexpr double max_knot = 0.5;     // m, distance of what is tied
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 b2BodyType type_of(Motion motion) {
   constexpr b2BodyType types[] = {b2_staticBody, b2_dynamicBody, b2_kinematicBody};

@@ -5,6 +5,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "tests/extremes/any_scene/world.h"
+#include "tests/support/slot.h"
 
 namespace any_scene {
 
@@ -15,7 +16,7 @@ using ribbon::box2d::to_double;
 
 namespace {
 
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 /// Returns the kinetic energy of a wheel about its axle, J.
 double kinetic_energy(const ribbon::Pulley& pulley) {

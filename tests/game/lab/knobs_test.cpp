@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "game/lab/scene.h"
+#include "tests/support/constants.h"
 
 namespace game::lab {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
 
 /// Each end of a slider is an end of its range, and the initial value stands where a drag would set it again.
 TEST(Knobs, SlidersReachTheEndsOfTheirRanges) {

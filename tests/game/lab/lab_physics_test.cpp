@@ -11,14 +11,13 @@
 #include "game/lab/figures.h"
 #include "game/simulation/buttons.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/game/lab/cords_of.h"
 
 namespace game::lab {
 namespace {
 
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
-
-const Bench& cords_of(const Experiment& experiment) { return *experiment.benches().front(); }
 
 double reading(const Experiment& experiment, Reading::Kind kind) {
   for (const Reading& each : experiment.scene().readings(cords_of(experiment), experiment.values())) {

@@ -14,13 +14,12 @@
 #include "game/lab/history.h"
 #include "game/simulation/buttons.h"
 #include "ribbon/definition.h"
+#include "tests/game/lab/cords_of.h"
 
 namespace game::lab {
 namespace {
 
 constexpr int ten_seconds = 600;  // ticks
-
-const Bench& cords_of(const Experiment& experiment) { return *experiment.benches().front(); }
 
 int unconverged_in(const Bench& bench) {
   int sum = 0;

@@ -21,17 +21,11 @@ namespace {
 using engine::Key;
 using ribbon::Vec2;
 
-constexpr std::int64_t tick_ns = 16'666'668;  // slightly more than a tick
-
-struct Size {
-  int width, height;
-};
-
-class LabAt : public testing::TestWithParam<Size> {
+class LabAt : public testing::TestWithParam<CanvasSize> {
  protected:
   LabAt() : canvas(GetParam().width, GetParam().height), scale(text_scale_of(canvas, 1.0)) {}
 
-  Next frame(LabScreen& screen, const engine::WindowInput& input = {}, std::int64_t elapsed_ns = tick_ns) const {
+  Next frame(LabScreen& screen, const engine::WindowInput& input = {}, std::int64_t elapsed_ns = frame_ns) const {
     const MenuInput menu;
     return screen.update({input, menu, canvas, elapsed_ns, scale});
   }
@@ -65,7 +59,8 @@ class LabAt : public testing::TestWithParam<Size> {
   double scale;
   Session session{"", ""};
 };
-INSTANTIATE_TEST_SUITE_P(Sizes, LabAt, testing::Values(Size{640, 360}, Size{1280, 720}, Size{2560, 1440}),
+INSTANTIATE_TEST_SUITE_P(Sizes, LabAt,
+                         testing::Values(CanvasSize{640, 360}, CanvasSize{1280, 720}, CanvasSize{2560, 1440}),
                          [](const auto& size) { return std::to_string(size.param.width); });
 
 /// No text is cut, hidden by a panel or overlapped by another one, at the start, in motion, with extreme values and
@@ -205,14 +200,14 @@ TEST_P(LabAt, OpensItsScenesByClicksAndLeavesByItsButton) {
   }
   EXPECT_EQ(click(screen, lab::Console::button_place(lab::Button::back, layout())).what, Next::What::back);
   const engine::WindowInput none;
-  EXPECT_EQ(screen.update({none, {.back = true}, canvas, tick_ns, scale}).what, Next::What::back);
+  EXPECT_EQ(screen.update({none, {.back = true}, canvas, frame_ns, scale}).what, Next::What::back);
 }
 
 TEST_P(LabAt, IsInTheMenuOfTheTitle) {
   TitleScreen title(session);
   const engine::WindowInput none;
-  title.update({none, {.down = 1}, canvas, tick_ns, scale});
-  const Next next = title.update({none, {.accept = true}, canvas, tick_ns, scale});
+  title.update({none, {.down = 1}, canvas, frame_ns, scale});
+  const Next next = title.update({none, {.accept = true}, canvas, frame_ns, scale});
   ASSERT_EQ(next.what, Next::What::open);
   EXPECT_NE(dynamic_cast<const LabScreen*>(next.screens.front().get()), nullptr);
 }

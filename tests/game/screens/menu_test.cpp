@@ -8,6 +8,7 @@
 #include "game/screens/card.h"
 #include "game/screens/rebinding.h"
 #include "game/screens/screen.h"
+#include "tests/game/screens/text_canvas.h"
 
 namespace game {
 namespace {
@@ -17,8 +18,7 @@ using engine::Key;
 using engine::MouseButton;
 using engine::PadButton;
 
-constexpr std::int64_t frame_ns = 16'666'667;
-constexpr MenuPlace place{{100.0, 50.0}, 400.0, 1000.0, 20.0};  // rows of 35 px
+constexpr MenuPlace rows_place{{100.0, 50.0}, 400.0, 1000.0, 20.0};  // rows of 35 px
 
 Menu menu_of(int lines) {
   std::vector<MenuItem> items;
@@ -30,38 +30,39 @@ Menu menu_of(int lines) {
 
 TEST(Menu, TheFocusWrapsAround) {
   Menu menu = menu_of(3);
-  EXPECT_EQ(menu.update({.down = -1}, place), std::nullopt);
+  EXPECT_EQ(menu.update({.down = -1}, rows_place), std::nullopt);
   EXPECT_EQ(menu.focus(), 2);
-  menu.update({.down = 1}, place);
+  menu.update({.down = 1}, rows_place);
   EXPECT_EQ(menu.focus(), 0);
-  menu.update({.down = 5}, place);
+  menu.update({.down = 5}, rows_place);
   EXPECT_EQ(menu.focus(), 2);
   Menu empty;
-  EXPECT_EQ(empty.update({.down = 1, .accept = true}, place), std::nullopt);
+  EXPECT_EQ(empty.update({.down = 1, .accept = true}, rows_place), std::nullopt);
 }
 
 TEST(Menu, ChoosesALineAndChangesAValue) {
   Menu menu;
   menu.set_items({{"Play"}, {"Volume", "70 %", true}});
-  EXPECT_EQ(menu.update({.right = 1}, place), std::nullopt) << "nothing to change";
-  EXPECT_EQ(menu.update({.accept = true}, place), (MenuChoice{0, 0}));
-  EXPECT_EQ(menu.update({.down = 1, .right = -1}, place), (MenuChoice{1, -1}));
-  EXPECT_EQ(menu.update({.right = 1}, place), (MenuChoice{1, 1}));
-  EXPECT_EQ(menu.update({.accept = true}, place), (MenuChoice{1, 1}));
+  EXPECT_EQ(menu.update({.right = 1}, rows_place), std::nullopt) << "nothing to change";
+  EXPECT_EQ(menu.update({.accept = true}, rows_place), (MenuChoice{0, 0}));
+  EXPECT_EQ(menu.update({.down = 1, .right = -1}, rows_place), (MenuChoice{1, -1}));
+  EXPECT_EQ(menu.update({.right = 1}, rows_place), (MenuChoice{1, 1}));
+  EXPECT_EQ(menu.update({.accept = true}, rows_place), (MenuChoice{1, 1}));
 }
 
 TEST(Menu, TheMouseFocusesWhereItMovesAndClicksWhereItIs) {
   Menu menu;
   menu.set_items({{"Play"}, {"Volume", "70 %", true}, {"Back"}});
-  menu.update({.mouse_moved = true, .mouse = {110.0, 50.0 + 2.5 * 35.0}}, place);
+  menu.update({.mouse_moved = true, .mouse = {110.0, 50.0 + 2.5 * 35.0}}, rows_place);
   EXPECT_EQ(menu.focus(), 2);
-  menu.update({.down = -1, .mouse = {110.0, 50.0 + 2.5 * 35.0}}, place);
+  menu.update({.down = -1, .mouse = {110.0, 50.0 + 2.5 * 35.0}}, rows_place);
   EXPECT_EQ(menu.focus(), 1) << "a mouse at rest does not hold the focus";
-  EXPECT_EQ(menu.update({.clicked = true, .mouse = {110.0, 51.0}}, place), (MenuChoice{0, 0}));
-  EXPECT_EQ(menu.update({.clicked = true, .mouse = {490.0, 90.0}}, place), (MenuChoice{1, 1}));
-  EXPECT_EQ(menu.update({.clicked = true, .mouse = {330.0, 90.0}}, place), (MenuChoice{1, -1})) << "the left arrow";
-  EXPECT_EQ(menu.update({.clicked = true, .mouse = {90.0, 51.0}}, place), std::nullopt) << "beside it";
-  EXPECT_EQ(menu.update({.clicked = true, .mouse = {110.0, 50.0 + 3.1 * 35.0}}, place), std::nullopt) << "below";
+  EXPECT_EQ(menu.update({.clicked = true, .mouse = {110.0, 51.0}}, rows_place), (MenuChoice{0, 0}));
+  EXPECT_EQ(menu.update({.clicked = true, .mouse = {490.0, 90.0}}, rows_place), (MenuChoice{1, 1}));
+  EXPECT_EQ(menu.update({.clicked = true, .mouse = {330.0, 90.0}}, rows_place), (MenuChoice{1, -1}))
+      << "the left arrow";
+  EXPECT_EQ(menu.update({.clicked = true, .mouse = {90.0, 51.0}}, rows_place), std::nullopt) << "beside it";
+  EXPECT_EQ(menu.update({.clicked = true, .mouse = {110.0, 50.0 + 3.1 * 35.0}}, rows_place), std::nullopt) << "below";
 }
 
 TEST(Menu, ALongMenuScrollsToItsFocus) {

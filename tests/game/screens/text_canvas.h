@@ -1,6 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <string>
@@ -10,6 +13,18 @@
 #include "game/view/free_space.h"
 
 namespace game {
+
+constexpr std::int64_t frame_ns = 16'666'668;  // slightly more than a tick
+
+/// The size of a canvas, as the parameter of tests.
+struct CanvasSize {
+  int width, height;  ///< px
+};
+
+/// Returns the name of such a parameter, as 640x360.
+inline std::string size_name(const testing::TestParamInfo<CanvasSize>& size) {
+  return std::to_string(size.param.width) + "x" + std::to_string(size.param.height);
+}
 
 /// A canvas that records the boxes of the texts and panels that are drawn on it, in order.
 class TextCanvas : public engine::HeadlessCanvas {

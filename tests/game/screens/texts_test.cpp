@@ -26,13 +26,7 @@ namespace {
 
 using engine::Key;
 
-constexpr std::int64_t frame_ns = 16'666'668;
-
-struct Size {
-  int width, height;
-};
-
-class Texts : public testing::TestWithParam<Size> {
+class Texts : public testing::TestWithParam<CanvasSize> {
  protected:
   Texts() : canvas(GetParam().width, GetParam().height), scale(text_scale_of(canvas, 1.0)) {}
 
@@ -84,10 +78,9 @@ class Texts : public testing::TestWithParam<Size> {
   Session session{"", ""};
 };
 
-std::string size_name(const testing::TestParamInfo<Size>& size) {
-  return std::to_string(size.param.width) + "x" + std::to_string(size.param.height);
-}
-INSTANTIATE_TEST_SUITE_P(Sizes, Texts, testing::Values(Size{640, 360}, Size{1280, 720}, Size{2560, 1440}), size_name);
+INSTANTIATE_TEST_SUITE_P(Sizes, Texts,
+                         testing::Values(CanvasSize{640, 360}, CanvasSize{1280, 720}, CanvasSize{2560, 1440}),
+                         size_name);
 
 TEST_P(Texts, OfMenusAreReadable) {
   TitleScreen title(session);

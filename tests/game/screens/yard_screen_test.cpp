@@ -21,14 +21,8 @@ using engine::MouseButton;
 using engine::PadButton;
 using ribbon::Vec2;
 
-constexpr std::int64_t frame_ns = 16'666'668;
-
-struct Size {
-  int width, height;
-};
-
 /// A sandbox in which building has begun.
-class Building : public testing::TestWithParam<Size> {
+class Building : public testing::TestWithParam<CanvasSize> {
  protected:
   Building() : canvas(GetParam().width, GetParam().height), scale(text_scale_of(canvas, 1.0)) {
     options.level = "sandbox";
@@ -98,10 +92,8 @@ class Building : public testing::TestWithParam<Size> {
   std::optional<YardScreen> yard;
 };
 
-std::string size_name(const testing::TestParamInfo<Size>& size) {
-  return std::to_string(size.param.width) + "x" + std::to_string(size.param.height);
-}
-INSTANTIATE_TEST_SUITE_P(Sizes, Building, testing::Values(Size{640, 360}, Size{1280, 720}, Size{2560, 1440}),
+INSTANTIATE_TEST_SUITE_P(Sizes, Building,
+                         testing::Values(CanvasSize{640, 360}, CanvasSize{1280, 720}, CanvasSize{2560, 1440}),
                          size_name);
 
 TEST_P(Building, ByMousePlacesMovesAndRemoves) {

@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-constexpr int rope = 10;
+constexpr int rope_id = 10;
 
 MapObject fire(Vec2 center, Vec2 size, double seconds) {
   MapObject object = box_of(20, "fire", center, size);
@@ -16,15 +16,15 @@ MapObject fire(Vec2 center, Vec2 size, double seconds) {
 }
 
 TEST(Fire, BurnsACordThroughAfterItsSeconds) {
-  const Level level = level_of(small_map({hanging_rope(rope, {10.0, 10.0}), fire({10.0, 8.0}, {0.5, 0.05}, 0.5)}));
+  const Level level = level_of(small_map({hanging_rope(rope_id, {10.0, 10.0}), fire({10.0, 8.0}, {0.5, 0.05}, 0.5)}));
   Simulation simulation(level);
   run(simulation, 15);
   EXPECT_NEAR(simulation.rules().burning().heat(0, 20), 0.5, 1e-9);
   EXPECT_EQ(simulation.rules().burning().heat(0, 10), 0.0);
   run(simulation, 14);
-  EXPECT_EQ(pieces(simulation, rope), 1);
+  EXPECT_EQ(pieces(simulation, rope_id), 1);
   run(simulation, 1);
-  EXPECT_EQ(pieces(simulation, rope), 2) << "after 30 ticks";
+  EXPECT_EQ(pieces(simulation, rope_id), 2) << "after 30 ticks";
   const auto ids = simulation.scene().coupling().cords();
   EXPECT_EQ(simulation.scene().coupling().cord(ids[0]).shape().columns, 21);
   run(simulation, 1);
@@ -33,27 +33,27 @@ TEST(Fire, BurnsACordThroughAfterItsSeconds) {
 }
 
 TEST(Fire, DoesNotBurnWhatOnlyPassesAndItCools) {
-  const Level level = level_of(small_map({hanging_rope(rope, {10.0, 10.0}), fire({10.0, 8.0}, {0.5, 0.05}, 1.0)}));
+  const Level level = level_of(small_map({hanging_rope(rope_id, {10.0, 10.0}), fire({10.0, 8.0}, {0.5, 0.05}, 1.0)}));
   Simulation simulation(level);
   run(simulation, 30);
   simulation.scene().coupling().cord(0).pin(0, {14.0, 10.0});
   run(simulation, 100);
-  EXPECT_EQ(pieces(simulation, rope), 1);
+  EXPECT_EQ(pieces(simulation, rope_id), 1);
   EXPECT_LT(simulation.rules().burning().heat(0, 20), 0.5);
   EXPECT_GE(simulation.rules().burning().char_of(0, 20), 0.5);
 }
 
 TEST(Fire, BurnsAgainAfterAFallAsFromTheStart) {
-  const Level level = level_of(small_map({hanging_rope(rope, {10.0, 10.0}), fire({10.0, 8.0}, {0.5, 0.05}, 0.5)}));
+  const Level level = level_of(small_map({hanging_rope(rope_id, {10.0, 10.0}), fire({10.0, 8.0}, {0.5, 0.05}, 0.5)}));
   for (const int button : {static_cast<int>(button_retry), static_cast<int>(button_restart)}) {
     Simulation simulation(level);
     run(simulation, 20);
     run(simulation, 1, button);
-    EXPECT_EQ(pieces(simulation, rope), 1);
+    EXPECT_EQ(pieces(simulation, rope_id), 1);
     run(simulation, 28);
-    EXPECT_EQ(pieces(simulation, rope), 1);
+    EXPECT_EQ(pieces(simulation, rope_id), 1);
     run(simulation, 1);
-    EXPECT_EQ(pieces(simulation, rope), 2);
+    EXPECT_EQ(pieces(simulation, rope_id), 2);
   }
   expect_goes_back(level, 100, {0});
 }
@@ -156,13 +156,13 @@ TEST(Chaser, WithoutFallsThePlayerGoesOnAndTheChaserIsBack) {
 
 /// A slack rope from (6, 6) to (10, 6), which the chaser needs.
 TEST(Chaser, FallsWhereItsCordIsCut) {
-  MapObject bridge = line_of(rope, "cord", {{6.0, 6.0}, {10.0, 6.0}});
+  MapObject bridge = line_of(rope_id, "cord", {{6.0, 6.0}, {10.0, 6.0}});
   bridge.properties.insert("columns", std::int64_t{41});
   bridge.properties.insert("mass", 2.0);
   bridge.properties.insert("pin_first", true);
   bridge.properties.insert("pin_last", true);
   MapObject object = chaser(5.0);
-  object.properties.insert("cord", std::int64_t{rope});
+  object.properties.insert("cord", std::int64_t{rope_id});
   const Level whole = level_of(small_map({bridge, object, high_way()}));
   Simulation passing(whole);
   run(passing, 100);

@@ -8,6 +8,7 @@
 #include "game/simulation/buttons.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/game/simulation/press.h"
 #include "tests/game/simulation/small_level.h"
 
 namespace game {
@@ -23,12 +24,6 @@ Level level_with(Vec2 feet, std::vector<MapObject> objects, std::int64_t lines =
 }
 
 MapObject hook(Vec2 place) { return point_of(0, "hook", place); }
-
-void tick(Simulation& simulation, int buttons, int ticks = 1, Vec2 pointer = {}) {
-  engine::TickInput input = press(buttons);
-  engine::set_pointer(input, pointer);
-  for (int k = 0; k < ticks; ++k) simulation.tick(input);
-}
 
 /// Throws a line and waits until it holds.
 void throw_line(Simulation& simulation, int button, Vec2 pointer) {

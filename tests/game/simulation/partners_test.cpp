@@ -13,8 +13,6 @@ namespace {
 using ribbon::Vec2;
 using test_support::level_for_two;
 
-double y(const Simulation& simulation, int player) { return simulation.player(player).position().y; }
-
 /// Player::put and the state at the start know nothing of the keys.
 TEST(Partners, AKeyHeldOverAReturnIsNoNewPress) {
   const Level level = level_for_two({.tied = false});
@@ -25,13 +23,13 @@ TEST(Partners, AKeyHeldOverAReturnIsNoNewPress) {
     run(simulation, 1, button_jump | back, button_jump);
     for (int k = 0; k < 20; ++k) {
       simulation.tick(press(button_jump, button_jump));
-      ASSERT_LT(y(simulation, 0), 4.8) << back;
-      ASSERT_LT(y(simulation, 1), 4.8) << back;
+      ASSERT_LT(height_of(simulation, 0), 4.8) << back;
+      ASSERT_LT(height_of(simulation, 1), 4.8) << back;
     }
     run(simulation, 1);
     run(simulation, 10, button_jump, button_jump);
-    EXPECT_GT(y(simulation, 0), 5.0);
-    EXPECT_GT(y(simulation, 1), 5.0);
+    EXPECT_GT(height_of(simulation, 0), 5.0);
+    EXPECT_GT(height_of(simulation, 1), 5.0);
   }
 }
 

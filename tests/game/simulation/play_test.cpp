@@ -8,6 +8,7 @@
 #include "game/simulation/level.h"
 #include "game/simulation/simulation.h"
 #include "ribbon/box2d/convert.h"
+#include "tests/game/simulation/press.h"
 #include "tests/support/scripted_player.h"
 
 namespace game {
@@ -26,13 +27,6 @@ void play(Simulation& simulation, std::vector<Move> moves) {
     ASSERT_FALSE(player.is_stuck()) << "in move " << player.move();
     simulation.tick(input);
   }
-}
-
-void tick(Simulation& simulation, int buttons, int ticks = 1, Vec2 pointer = {}) {
-  engine::TickInput input;
-  input.buttons = static_cast<std::uint16_t>(buttons);
-  engine::set_pointer(input, pointer);
-  for (int k = 0; k < ticks; ++k) simulation.tick(input);
 }
 
 ribbon::box2d::CordPoint held(const Simulation& simulation) {

@@ -26,7 +26,6 @@ using test_support::level_for_two;
 using test_support::LevelForTwo;
 
 double x(const Simulation& simulation, int player) { return simulation.player(player).position().x; }
-double y(const Simulation& simulation, int player) { return simulation.player(player).position().y; }
 
 /// Lets the second player walk off the edge and hang there from the rope.
 void hang_second(Simulation& simulation) {
@@ -35,7 +34,7 @@ void hang_second(Simulation& simulation) {
     simulation.tick(press(x(simulation, 0) < 11.5 ? button_right : 0, button_right));
   }
   run(simulation, 120, 0, 0);
-  ASSERT_LT(y(simulation, 1), 4.0);
+  ASSERT_LT(height_of(simulation, 1), 4.0);
   ASSERT_FALSE(simulation.player(1).is_on_ground());
 }
 
@@ -52,8 +51,8 @@ TEST(TwoPlayers, DoNotTouchEachOther) {
   Simulation simulation(level);
   run(simulation, 75, button_right, button_left);
   EXPECT_GT(x(simulation, 0), x(simulation, 1) + 3.0);
-  EXPECT_NEAR(y(simulation, 0), 4.75, 0.05);
-  EXPECT_NEAR(y(simulation, 1), 4.75, 0.05);
+  EXPECT_NEAR(height_of(simulation, 0), 4.75, 0.05);
+  EXPECT_NEAR(height_of(simulation, 1), 4.75, 0.05);
 }
 
 TEST(TwoPlayers, ASecondPlayersButtonsDoNothingInALevelForOne) {
@@ -117,10 +116,10 @@ TEST(Tether, APlayerThatStandsStillBearsItsPartner) {
   Simulation simulation(level);
   hang_second(simulation);
   const double before = x(simulation, 0);
-  const double height = y(simulation, 1);
+  const double height = height_of(simulation, 1);
   run(simulation, 120, 0, 0);
   EXPECT_NEAR(x(simulation, 0), before, 0.02);
-  EXPECT_NEAR(y(simulation, 1), height, 0.05);
+  EXPECT_NEAR(height_of(simulation, 1), height, 0.05);
 }
 
 TEST(Tether, AHeavyPartnerPullsItAlong) {
@@ -140,11 +139,11 @@ TEST(Tether, ReelingHaulsThePartnerUp) {
   const Level level = level_for_two();
   Simulation simulation(level);
   hang_second(simulation);
-  const double height = y(simulation, 1);
+  const double height = height_of(simulation, 1);
   const double whole = simulation.tether()->length();
   run(simulation, 60, button_reel_in, 0);
   EXPECT_NEAR(simulation.tether()->length(), whole - Tether::reel_in_speed, 0.05);
-  EXPECT_NEAR(y(simulation, 1), height + Tether::reel_in_speed, 0.25);
+  EXPECT_NEAR(height_of(simulation, 1), height + Tether::reel_in_speed, 0.25);
   run(simulation, 60, 0, button_reel_out);
   EXPECT_NEAR(simulation.tether()->length(), whole, 1e-9) << "not longer than it is";
 }
@@ -199,17 +198,17 @@ TEST(Tether, WithoutFallsBothReturnToAFoothold) {
   run(simulation, 60, button_right, 0);
   int returns = 0;
   for (int k = 0; k < 400; ++k) {
-    const double before = y(simulation, 1);
+    const double before = height_of(simulation, 1);
     simulation.tick(press(button_right, button_right));
-    returns += y(simulation, 1) > before + 1.0 ? 1 : 0;
+    returns += height_of(simulation, 1) > before + 1.0 ? 1 : 0;
   }
   EXPECT_GT(returns, 0);
   EXPECT_EQ(simulation.falls(), 0);
-  while (y(simulation, 1) < 4.7) {
+  while (height_of(simulation, 1) < 4.7) {
     ASSERT_LT(simulation.ticks(), 1200);
     run(simulation, 1);
   }
-  for (int k = 0; k < 2; ++k) EXPECT_NEAR(y(simulation, k), 4.75, 0.1) << "on the ground";
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(height_of(simulation, k), 4.75, 0.1) << "on the ground";
 }
 
 /// Two random players that hold each button for a while.
@@ -343,7 +342,7 @@ TEST(TheLightOneFirst, TheThinRopeBreaksUnderTheHeavyOne) {
     for (const ribbon::box2d::CutEvent& cut : simulation.scene().coupling().cut_events()) breaks += cut.broke ? 1 : 0;
   }
   EXPECT_GE(breaks, 1);
-  EXPECT_NEAR(y(simulation, 1), 3.75, 0.1);
+  EXPECT_NEAR(height_of(simulation, 1), 3.75, 0.1);
 }
 
 /// Returns the map of a level for two whose second player is changed.

@@ -16,7 +16,7 @@
 namespace game {
 namespace {
 
-Level sandbox() { return load_level("sandbox"); }
+Level new_sandbox() { return load_level("sandbox"); }
 
 /// All kinds of things, apart from each other and above the ground.
 Yard one_of_each() {
@@ -31,7 +31,7 @@ Yard one_of_each() {
 
 TEST(Yard, ItsTextIsItself) {
   Yard yard = one_of_each();
-  const Level level = sandbox();
+  const Level level = new_sandbox();
   EXPECT_EQ(yard_of(yard_text(yard), level), yard);
   yard.start = Vec2{12.34, 3.01};
   EXPECT_EQ(yard_of(yard_text(yard), level), yard);
@@ -41,7 +41,7 @@ TEST(Yard, ItsTextIsItself) {
 }
 
 TEST(Yard, OtherTextsAreRefused) {
-  const Level level = sandbox();
+  const Level level = new_sandbox();
   std::string too_many;
   for (std::size_t k = 0; k <= Yard::max_things; ++k) too_many += "ball 200 900;";
   for (const std::string& text :
@@ -56,7 +56,7 @@ TEST(Yard, OtherTextsAreRefused) {
 }
 
 TEST(Yard, ChangesNothingElseOfTheLevel) {
-  Level level = sandbox();
+  Level level = new_sandbox();
   const std::size_t objects = level.map.objects.size();
   const Vec2 start = level.player_start;
   Yard yard = one_of_each();
@@ -97,7 +97,7 @@ TEST(Yard, AThingInAnyDirectionIsBuilt) {
 }
 
 TEST(Yard, FaultsAreFound) {
-  Level level = sandbox();
+  Level level = new_sandbox();
   const Simulation empty(level);
   const auto fault = [&](Thing thing, Vec2 first, Vec2 second = {}) {
     return fault_of(empty, thing_at(thing, first, second));
@@ -135,7 +135,7 @@ TEST(Yard, TheNearestThingIsPicked) {
 
 /// Returns the height of a crate in the yard after four seconds, m.
 double height_of_crate(const Yard& yard) {
-  Level level = sandbox();
+  Level level = new_sandbox();
   set_yard(level, yard);
   Simulation simulation(level);
   run(simulation, 240);

@@ -20,7 +20,7 @@ struct Counts {
 };
 
 /// Counts the noises of a run that presses these buttons.
-Counts heard_of(const Level& level, int ticks, int buttons = 0) {
+Counts count_noises(const Level& level, int ticks, int buttons = 0) {
   Simulation simulation(level);
   CueDetector detector;
   Counts counts;
@@ -46,39 +46,39 @@ TEST(CuesOfRules, ACutIsHeardOnce) {
   MapObject edge = line_of(20, "blade", {{7.0, 8.02}, {8.0, 8.02}});
   edge.properties.insert("body", std::int64_t{30});
   const Level level = level_of(small_map({hanging_rope(10, {10.0, 10.0}), carrier, edge}));
-  EXPECT_EQ(heard_of(level, 30).of(Noise::cut), 0);
-  EXPECT_EQ(heard_of(level, 120).of(Noise::cut), 1);
+  EXPECT_EQ(count_noises(level, 30).of(Noise::cut), 0);
+  EXPECT_EQ(count_noises(level, 120).of(Noise::cut), 1);
 }
 
 TEST(CuesOfRules, TheKnifeIsHeardAtEachCut) {
   engine::TiledMap map = small_map({hanging_rope(10, {3.5, 6.5})});
   map.properties.insert("knife", true);
   const Level level = level_of(std::move(map));
-  EXPECT_EQ(heard_of(level, 30, button_cut).of(Noise::cut), 1) << "the key is held";
-  EXPECT_EQ(heard_of(level, 30).of(Noise::cut), 0);
+  EXPECT_EQ(count_noises(level, 30, button_cut).of(Noise::cut), 1) << "the key is held";
+  EXPECT_EQ(count_noises(level, 30).of(Noise::cut), 0);
 }
 
 TEST(CuesOfRules, ALineThatIsThrownIsNoCut) {
   const Level level = level_of(small_map({point_of(0, "hook", {4.0, 7.0})}));
-  const Counts heard = heard_of(level, 60, button_throw);
+  const Counts heard = count_noises(level, 60, button_throw);
   EXPECT_EQ(heard.of(Noise::hook), 1);
   EXPECT_EQ(heard.of(Noise::cut), 0);
 }
 
 TEST(CuesOfRules, ACoinIsHeardOnce) {
   const Level level = level_of(small_map({point_of(20, "coin", {5.0, 2.5}), point_of(21, "coin", {7.0, 2.5})}));
-  EXPECT_EQ(heard_of(level, 120, button_right).of(Noise::coin), 2);
-  EXPECT_EQ(heard_of(level, 120).of(Noise::coin), 0);
+  EXPECT_EQ(count_noises(level, 120, button_right).of(Noise::coin), 2);
+  EXPECT_EQ(count_noises(level, 120).of(Noise::coin), 0);
 }
 
 TEST(CuesOfRules, ADeathIsHeardOtherwiseThanAFall) {
   for (const char* const kind : {"spikes", "fire"}) {
     const Level deadly = level_of(small_map({danger(kind, {6.0, 2.5})}));
-    const Counts death = heard_of(deadly, 40, button_right);
+    const Counts death = count_noises(deadly, 40, button_right);
     EXPECT_EQ(death.of(Noise::dies), 1) << kind;
     EXPECT_EQ(death.of(Noise::fall), 0) << kind;
   }
-  const Counts fall = heard_of(level_of(small_map({})), 200, button_left);  // off the left end of the ground
+  const Counts fall = count_noises(level_of(small_map({})), 200, button_left);  // off the left end of the ground
   EXPECT_GE(fall.of(Noise::fall), 1);
   EXPECT_EQ(fall.of(Noise::dies), 0);
 }

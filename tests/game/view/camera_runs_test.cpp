@@ -9,14 +9,13 @@
 #include "engine/replay/replay.h"
 #include "game/simulation/level.h"
 #include "game/view/effects.h"
+#include "tests/game/view/window_size.h"
 
 namespace game {
 namespace {
 
 using ribbon::Vec2;
 
-constexpr int width = 1280;
-constexpr int height = 720;
 constexpr double max_acceleration = 50.0;  // m/s²: 0.8 m/s in a frame
 constexpr double max_zoom = 0.004;         // per frame
 constexpr int dark_ticks = 12;             // after a fall
@@ -31,16 +30,16 @@ TEST_P(CameraInRuns, MovesWithoutJerks) {
   Simulation simulation(level);
   Effects effects(simulation);
   effects.follow(palette(false), true);
-  Vec2 before = effects.view(1.0, width, height, true).center;
+  Vec2 before = effects.view(1.0, window_width, window_height, true).center;
   Vec2 step_before{};
   int falls = 0;
   int dark = 0;  // ticks left in which a fall has made the picture dark
-  double scale_before = effects.view(1.0, width, height, false).pixels_per_metre;
+  double scale_before = effects.view(1.0, window_width, window_height, false).pixels_per_metre;
   for (const engine::RecordedTick& tick : replay.ticks) {
     simulation.tick(tick.input);
     effects.follow(palette(false), true);
-    const Vec2 now = effects.view(1.0, width, height, true).center;
-    const double scale = effects.view(1.0, width, height, false).pixels_per_metre;
+    const Vec2 now = effects.view(1.0, window_width, window_height, true).center;
+    const double scale = effects.view(1.0, window_width, window_height, false).pixels_per_metre;
     if (simulation.falls() > falls) dark = dark_ticks;
     falls = simulation.falls();
     if (dark-- <= 0) {
@@ -66,8 +65,8 @@ TEST_P(CameraInRuns, ShowsWholeRingsAtTheStart) {
     }
     if (ticks == 0) effects.follow(palette(false), false);
     for (const bool reduced : {false, true}) {
-      const engine::View view = effects.view(1.0, width, height, reduced);
-      const Vec2 half = 0.5 / view.pixels_per_metre * Vec2{1.0 * width, 1.0 * height};
+      const engine::View view = effects.view(1.0, window_width, window_height, reduced);
+      const Vec2 half = 0.5 / view.pixels_per_metre * Vec2{1.0 * window_width, 1.0 * window_height};
       for (const Vec2 ring : level.hooks) {
         const Vec2 off = ring - view.center;
         const bool is_seen = std::abs(off.x) < half.x - radius && std::abs(off.y) < half.y + radius;
@@ -90,8 +89,8 @@ TEST(CameraOnTheTrampoline, ShowsTheClothDuringAJump) {
     const Player& player = simulation.player();
     const double soles = player.position().y - 0.5 * player.tuning().height;
     if (player.is_on_ground()) ground = soles;
-    const engine::View view = effects.view(1.0, width, height, false);
-    const double half = 0.5 * height / view.pixels_per_metre;
+    const engine::View view = effects.view(1.0, window_width, window_height, false);
+    const double half = 0.5 * window_height / view.pixels_per_metre;
     EXPECT_LT(view.center.y - half, std::min(ground, soles)) << simulation.ticks();
     EXPECT_GT(view.center.y + half, player.position().y + 0.75) << simulation.ticks();
     highest = std::max(highest, soles - ground);

@@ -1,4 +1,5 @@
 #include "game/view/camera.h"
+#include "tests/game/view/window_size.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@ namespace {
 using ribbon::Vec2;
 
 constexpr Vec2 level{48.0, 18.0};
-constexpr int width = 1280;
-constexpr int height = 720;
 
 CameraSubject at(Vec2 place, Vec2 velocity = {}) {
   CameraSubject subject;
@@ -56,7 +55,7 @@ TEST(Camera, LooksAheadInTheDirectionOfMotion) {
       subject.at.x += subject.velocity.x / 60.0;
       camera.tick(subject);
     }
-    EXPECT_GT(side * (camera.view(1.0, width, height, false).center.x - subject.at.x), 2.0);
+    EXPECT_GT(side * (camera.view(1.0, window_width, window_height, false).center.x - subject.at.x), 2.0);
   }
 }
 
@@ -67,7 +66,7 @@ TEST(Camera, LooksUpASwing) {
     subject.on_ground = false;
     subject.hangs = true;
     camera.jump_to(subject);
-    return camera.view(1.0, width, height, true).center.y - 20.0;
+    return camera.view(1.0, window_width, window_height, true).center.y - 20.0;
   };
   EXPECT_GT(height_above(6.0), height_above(0.0) + 1.0);
   EXPECT_LT(height_above(-6.0), height_above(0.0) - 1.0);
@@ -81,23 +80,23 @@ TEST(Camera, ComesToRestWhereItWouldJump) {
   double before = 1e9;
   for (int k = 0; k < 600; ++k) {
     followed.tick(at({20.0, 8.0}));
-    const double away =
-        length(followed.view(1.0, width, height, false).center - jumped.view(1.0, width, height, false).center);
+    const double away = length(followed.view(1.0, window_width, window_height, false).center -
+                               jumped.view(1.0, window_width, window_height, false).center);
     if (k > 60) {
       EXPECT_LE(away, before + 1e-9) << k;
     }
     before = away;
   }
   EXPECT_LT(before, 1e-3);
-  EXPECT_NEAR(followed.view(1.0, width, height, false).pixels_per_metre,
-              jumped.view(1.0, width, height, false).pixels_per_metre, 1e-3);
+  EXPECT_NEAR(followed.view(1.0, window_width, window_height, false).pixels_per_metre,
+              jumped.view(1.0, window_width, window_height, false).pixels_per_metre, 1e-3);
 }
 
 TEST(Camera, MovesSmoothly) {
   Camera camera(level);
   CameraSubject subject = at({10.0, 9.0}, {6.0, 0.0});
   camera.jump_to(subject);
-  Vec2 before = camera.view(1.0, width, height, true).center;
+  Vec2 before = camera.view(1.0, window_width, window_height, true).center;
   Vec2 step_before{0.1, 0.0};
   for (int k = 0; k < 200; ++k) {
     if (k == 60) subject.velocity = {-6.0, 8.0};  // a sudden reversal
@@ -105,7 +104,7 @@ TEST(Camera, MovesSmoothly) {
     subject.at += (1.0 / 60.0) * subject.velocity;
     if (k > 100) subject.velocity.y = 0.0;
     camera.tick(subject);
-    const Vec2 now = camera.view(1.0, width, height, true).center;
+    const Vec2 now = camera.view(1.0, window_width, window_height, true).center;
     EXPECT_LT(length(now - before - step_before), 0.04) << k;
     step_before = now - before;
     before = now;
@@ -118,7 +117,7 @@ TEST(Camera, DoesNotBobWithJumps) {
   CameraSubject subject = at({15.0, 9.0}, {6.0, 0.0});
   camera.jump_to(subject);
   for (int k = 0; k < 60; ++k) camera.tick(subject);
-  const double still = camera.view(1.0, width, height, false).center.y;
+  const double still = camera.view(1.0, window_width, window_height, false).center.y;
   for (int k = 0; k < 260; ++k) {
     if (k % 85 == 0) subject.velocity.y = 6.5;
     subject.at += (1.0 / 60.0) * subject.velocity;
@@ -129,7 +128,7 @@ TEST(Camera, DoesNotBobWithJumps) {
       subject.velocity.y = 0.0;
     }
     camera.tick(subject);
-    EXPECT_NEAR(camera.view(1.0, width, height, false).center.y, still, 0.05) << k;
+    EXPECT_NEAR(camera.view(1.0, window_width, window_height, false).center.y, still, 0.05) << k;
   }
 }
 
@@ -143,7 +142,7 @@ TEST(Camera, LooksDownInAFastFall) {
     subject.at.y += subject.velocity.y / 60.0;
     camera.tick(subject);
   }
-  EXPECT_LT(camera.view(1.0, width, height, false).center.y, subject.at.y - 0.5);
+  EXPECT_LT(camera.view(1.0, window_width, window_height, false).center.y, subject.at.y - 0.5);
 }
 
 TEST(Camera, ShakesOnAHardLandingOnly) {
@@ -159,10 +158,11 @@ TEST(Camera, ShakesOnAHardLandingOnly) {
       subject.impact = impact;
       camera.tick(subject);
       still.tick(at({24.0, 9.0}));
-      most = std::max(most, length(camera.view(1.0, width, height, reduced).center -
-                                   still.view(1.0, width, height, reduced).center));
+      most = std::max(most, length(camera.view(1.0, window_width, window_height, reduced).center -
+                                   still.view(1.0, window_width, window_height, reduced).center));
     }
-    EXPECT_LT(length(camera.view(1.0, width, height, reduced).center - still.view(1.0, width, height, reduced).center),
+    EXPECT_LT(length(camera.view(1.0, window_width, window_height, reduced).center -
+                     still.view(1.0, window_width, window_height, reduced).center),
               0.01);
     return most;
   };
@@ -181,12 +181,12 @@ TEST(Camera, HasBothPlayersInThePicture) {
       Camera camera(level);
       camera.jump_to(both);
       for (int k = 0; k < 300; ++k) camera.tick(both);
-      const engine::View view = camera.view(1.0, width, height, reduced_motion);
-      expect_within_level(view, width, height);
+      const engine::View view = camera.view(1.0, window_width, window_height, reduced_motion);
+      expect_within_level(view, window_width, window_height);
       for (const double side : {-1.0, 1.0}) {
         const Vec2 off = both.at + side * spread - view.center;
-        EXPECT_LT(std::abs(off.x) * view.pixels_per_metre, 0.5 * width - 20.0) << spread.x << " " << spread.y;
-        EXPECT_LT(std::abs(off.y) * view.pixels_per_metre, 0.5 * height - 20.0) << spread.x << " " << spread.y;
+        EXPECT_LT(std::abs(off.x) * view.pixels_per_metre, 0.5 * window_width - 20.0) << spread.x << " " << spread.y;
+        EXPECT_LT(std::abs(off.y) * view.pixels_per_metre, 0.5 * window_height - 20.0) << spread.x << " " << spread.y;
       }
     }
   }
@@ -197,7 +197,7 @@ TEST(Camera, DoesNotZoomOutWithoutLimit) {
   both.spread = Vec2{1000.0, 0.0};
   Camera camera({400.0, 300.0});
   camera.jump_to(both);
-  EXPECT_GT(camera.view(1.0, width, height, false).pixels_per_metre, height / 27.0);
+  EXPECT_GT(camera.view(1.0, window_width, window_height, false).pixels_per_metre, window_height / 27.0);
 }
 
 TEST(Camera, ShowsMoreOfTheLevelAtHighSpeed) {
@@ -205,9 +205,10 @@ TEST(Camera, ShowsMoreOfTheLevelAtHighSpeed) {
   Camera fast(level);
   slow.jump_to(at({24.0, 9.0}));
   fast.jump_to(at({24.0, 9.0}, {12.0, 0.0}));
-  EXPECT_LT(fast.view(1.0, width, height, false).pixels_per_metre,
-            0.9 * slow.view(1.0, width, height, false).pixels_per_metre);
-  EXPECT_EQ(fast.view(1.0, width, height, true).pixels_per_metre, slow.view(1.0, width, height, true).pixels_per_metre);
+  EXPECT_LT(fast.view(1.0, window_width, window_height, false).pixels_per_metre,
+            0.9 * slow.view(1.0, window_width, window_height, false).pixels_per_metre);
+  EXPECT_EQ(fast.view(1.0, window_width, window_height, true).pixels_per_metre,
+            slow.view(1.0, window_width, window_height, true).pixels_per_metre);
 }
 
 }  // namespace

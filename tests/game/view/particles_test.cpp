@@ -8,14 +8,14 @@
 #include "game/simulation/buttons.h"
 #include "game/view/effects.h"
 #include "tests/game/simulation/press.h"
+#include "tests/support/constants.h"
 #include "tests/support/level_for_two.h"
 
 namespace game {
 namespace {
 
+using constants::dt;
 using ribbon::Vec2;
-
-constexpr double dt = 1.0 / 60.0;
 constexpr Vec2 breeze{1.3, 0.0};
 
 TEST(Particles, AreNeverMoreThanTheCapacityAndDisappear) {

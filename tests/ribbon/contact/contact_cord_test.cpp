@@ -8,6 +8,7 @@
 
 #include "ribbon/cord.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
 
@@ -16,13 +17,12 @@
 namespace ribbon {
 namespace {
 
+using constants::infinity;
 using test_support::bridge_def;
 using test_support::bridge_mass;
 using test_support::ContactWorld;
 using test_support::copy;
 using test_support::max_distance;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class CordBridge : public testing::TestWithParam<double> {};
 

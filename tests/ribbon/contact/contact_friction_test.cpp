@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 
 // Friction of a cord of the direct solver, and the energy of impacts.
@@ -13,12 +13,11 @@
 namespace ribbon {
 namespace {
 
+using constants::infinity;
 using std::numbers::pi;
 using test_support::bridge_def;
 using test_support::bridge_mass;
 using test_support::ContactWorld;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the ratio of the pulls at both ends at which a weightless cord slips on a circle by 3 cm. (It creeps a
 /// little before.) The cord touches the circle along `angle`, with links of a 32nd of a turn. One pull is constant, the

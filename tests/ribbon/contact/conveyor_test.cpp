@@ -7,6 +7,7 @@
 
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 
 // Surfaces that move along themselves: RigidCircle::tangent_speed.
@@ -14,9 +15,8 @@
 namespace ribbon {
 namespace {
 
+using constants::g;
 using test_support::ContactWorld;
-
-constexpr double g = 9.81;
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double thickness = 0.03;  // m, of the rope's axis above the axis of the edge

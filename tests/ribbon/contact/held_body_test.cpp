@@ -10,13 +10,14 @@
 #include "ribbon/cord.h"
 #include "ribbon/geometry/rotation.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/heavy_swing.h"
 
 namespace ribbon {
 namespace {
 
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
+using constants::gravity;
 
 TEST(Rotation, IsSineAndCosine) {
   for (double angle = -12.0; angle <= 12.0; angle += 0.37) {

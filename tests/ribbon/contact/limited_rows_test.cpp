@@ -4,20 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
 #include "ribbon/convex/active_set.h"
 #include "ribbon/convex/interior_point.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 
 namespace ribbon {
 namespace {
 
+using constants::infinity;
 using test_support::Dice;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Points of different masses with random forces, and limited springs between some of them.
 struct Problem {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ribbon/direct_solver.h"
+#include "tests/support/constants.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
@@ -16,11 +17,10 @@
 namespace ribbon {
 namespace {
 
+using constants::dt;
+using constants::gravity;
 using std::numbers::pi;
 using test_support::ContactWorld;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
 
 /// Four turns of a rope around the origin, with a pitch of 3 cm.
 CordDef wound_rope(int points) {

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/dice.h"
 #include "tests/support/points.h"
+#include "tests/support/slot.h"
 
 // The guards that keep a step finite and free of spurious energy.
 
@@ -18,13 +19,11 @@ namespace {
 
 constexpr int ample_work = 1'000'000;  // Accuracy::max_work that is enough for every case
 
+using constants::gravity;
+using constants::infinity;
 using test_support::all_finite;
 using test_support::Dice;
-
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 struct Snap {
   int points;

@@ -8,6 +8,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/elastic/cell.h"
 #include "tests/support/dice.h"
+#include "tests/support/slot.h"
 
 // Ribbons that start from shapes that no motion leads to.
 
@@ -15,8 +16,7 @@ namespace ribbon {
 namespace {
 
 using test_support::Dice;
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+using test_support::slot;
 
 int inverted_corners(const Cord& cord) {
   const auto x = cord.positions();

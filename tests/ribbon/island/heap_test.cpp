@@ -5,13 +5,14 @@
 
 #include "ribbon/direct_solver.h"
 #include "ribbon/linear/index.h"
+#include "tests/support/constants.h"
 
 // Many cords that lie on each other, with soft contacts: each step is a few linear systems.
 
 namespace ribbon {
 namespace {
 
-constexpr double dt = 1.0 / 60.0;  // s
+using constants::dt;
 constexpr int count = 10;
 constexpr double width = 0.05;   // m, of a ribbon
 constexpr double radius = 0.01;  // m

@@ -11,6 +11,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/direct_solver.h"
 #include "tests/support/allocations.h"
+#include "tests/support/constants.h"
 #include "tests/support/points.h"
 
 // CordDef::allow_sleep: what falls asleep, what that changes, and what wakes it.
@@ -18,8 +19,8 @@
 namespace ribbon {
 namespace {
 
-constexpr Vec2 gravity{0.0, -9.81};
-constexpr double dt = 1.0 / 60.0;
+using constants::dt;
+using constants::gravity;
 constexpr int drowsy = 34;  // steps after which a cord at rest sleeps
 
 CordDef rope_def(bool allow_sleep = true) {

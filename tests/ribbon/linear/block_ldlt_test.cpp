@@ -14,14 +14,14 @@ namespace {
 Eigen::Index row(int slot) { return 2 * static_cast<Eigen::Index>(slot); }
 
 /// The same matrix as BlockLdlt and as a dense one of Eigen's.
-struct Pair {
+struct MatrixPair {
   BlockLdlt sparse;
   Eigen::MatrixXd dense;
 };
 
 /// A chain of n slots, some of them coupled with far ones, some held, eliminated in a random order. Each slot k with k
 /// mod `scalar_every` = 1 is a scalar multiplier.
-Pair random_pair(int n, int far, std::mt19937& random, int scalar_every = 0) {
+MatrixPair random_pair(int n, int far, std::mt19937& random, int scalar_every = 0) {
   const auto is_scalar = [scalar_every](int k) { return scalar_every > 0 && k % scalar_every == 1; };
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
   std::uniform_int_distribution<int> slot(0, n - 1);
@@ -32,7 +32,7 @@ Pair random_pair(int n, int far, std::mt19937& random, int scalar_every = 0) {
   for (int k = 0; k + 1 < n; ++k) couplings.emplace_back(k, k + 1);
   for (int k = 0; k < far; ++k) couplings.emplace_back(slot(random), slot(random));
 
-  Pair pair;
+  MatrixPair pair;
   pair.sparse.begin_pattern(order);
   for (const auto& [a, b] : couplings) pair.sparse.couple(a, b);
   pair.sparse.end_pattern();
@@ -63,7 +63,7 @@ Pair random_pair(int n, int far, std::mt19937& random, int scalar_every = 0) {
   return pair;
 }
 
-void expect_as_eigen(Pair pair, int n, int held, std::mt19937& random) {
+void expect_as_eigen(MatrixPair pair, int n, int held, std::mt19937& random) {
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
   std::vector<Vec2> b(static_cast<std::size_t>(n));
   for (Vec2& value : b) value = {entry(random), entry(random)};

@@ -3,16 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 
 #include "ribbon/thesis/thesis_cord.h"
+#include "tests/support/constants.h"
 #include "tests/support/refusal.h"
 
 namespace ribbon {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using constants::infinity;
+using constants::nan;
 
 struct BadField {
   const char* field;
