@@ -206,6 +206,21 @@ TEST(TwoLines, AreRefusedInOtherNumbers) {
 }
 
 /// The crate is pushed off its shelf, and hangs.
+TEST(Line, HasTheSubstepsOfItsMap) {
+  const auto substeps_in = [](std::int64_t substeps) {
+    engine::TiledMap map = small_map({ceiling()}, {10.0, 1.0}, 1.0);
+    if (substeps != 0) map.properties.insert("line_substeps", substeps);
+    const Level level = level_of(std::move(map));
+    Simulation simulation(level);
+    throw_line(simulation, button_throw, {12.0, 6.7});
+    const auto cord = line(simulation, 0).cord();
+    return cord ? simulation.scene().coupling().cord(*cord).direct().def().accuracy.substeps : 0;
+  };
+  EXPECT_EQ(substeps_in(0), LineTuning{}.accuracy.substeps);
+  EXPECT_EQ(substeps_in(8), 8);
+  EXPECT_THROW(substeps_in(257), engine::MapError);
+}
+
 TEST(Knot, HangsACrateFromTheCeiling) {
   const auto height = [](bool ties) {
     const Level level = level_with(
