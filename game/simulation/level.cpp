@@ -17,8 +17,9 @@ using engine::MapObject;
 
 const std::vector<std::string> own_kinds = {"player", "player_2", "goal",   "checkpoint", "hook", "text",
                                             "blade",  "fire",     "spikes", "chaser",     "coin"};
-const std::vector<std::string> own_properties = {"title",  "hint",   "number", "sandbox", "lines",        "gold",
-                                                 "silver", "bronze", "knife",  "place",   "line_substeps"};
+const std::vector<std::string> own_properties = {"title", "hint",  "number",        "sandbox",
+                                                 "lines", "gold",  "silver",        "bronze",
+                                                 "knife", "place", "line_substeps", "line_tolerance"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 
@@ -62,10 +63,11 @@ Place read_place(const engine::Properties& properties) {
 
 /// Returns none if the map leaves it to LineTuning.
 std::optional<ribbon::Accuracy> read_line_accuracy(const engine::Properties& properties) {
-  ribbon::Accuracy accuracy = LineTuning{}.accuracy;
-  const int usual = accuracy.substeps;
-  accuracy.substeps = static_cast<int>(properties.integer_or("line_substeps", usual, {1, 256}));
-  return accuracy.substeps == usual ? std::nullopt : std::optional(accuracy);
+  const ribbon::Accuracy usual = LineTuning{}.accuracy;
+  ribbon::Accuracy accuracy = usual;
+  accuracy.substeps = static_cast<int>(properties.integer_or("line_substeps", usual.substeps, {1, 256}));
+  accuracy.tolerance = properties.number_or("line_tolerance", usual.tolerance, {1e-12, 1.0});
+  return accuracy == usual ? std::nullopt : std::optional(accuracy);
 }
 
 void read_map_properties(Level& level) {
