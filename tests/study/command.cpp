@@ -189,6 +189,20 @@ int summarise_promises(const std::string& path) {
   return 0;
 }
 
+namespace {
+
+void print_bound(const std::string& level, std::size_t cords, const CordBound& bound,
+                 const std::optional<ByCord>& found) {
+  const auto known = [](double value, int decimals) { return std::isnan(value) ? "-" : fixed(value, decimals); };
+  std::printf("%-20s %5zu  %-38s %10s %10s %8s %8s\n", level.c_str(), cords,
+              bound.common.empty() ? "none" : bound.common.c_str(), known(bound.common_work, 0).c_str(),
+              known(bound.least_work, 0).c_str(), known(bound.most_gain, 2).c_str(),
+              found ? fixed(found->common_work / found->outcome.work, 2).c_str() : "-");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
 int print_by_cord(const Command& command) {
   const double error = command.limits.max_error_m.value_or(default_error);
   StudyOptions options;
@@ -208,12 +222,7 @@ int print_by_cord(const Command& command) {
     options.progress = [](double share, double left) { show_progress("study", share, left); };
     const Study study = measure(level, replay_of(command, level), options);
     const std::size_t cords = cord_objects_of(level.level()).size();
-    const CordBound bound = bound_of(study, usable_error_share * error, cords);
-    std::printf("%-20s %5zu  %-38s %10s %10s %8s %8s\n", level.level().name.c_str(), cords, bound.common.c_str(),
-                fixed(bound.common_work, 0).c_str(), fixed(bound.least_work, 0).c_str(),
-                fixed(bound.most_gain, 2).c_str(),
-                study.by_cord ? fixed(study.by_cord->common_work / study.by_cord->outcome.work, 2).c_str() : "-");
-    std::fflush(stdout);
+    print_bound(level.level().name, cords, bound_of(study, usable_error_share * error, cords), study.by_cord);
   }
   return 0;
 }
