@@ -309,7 +309,7 @@ class LevelStudy {
     std::size_t tried = 0;
     std::optional<ByCord> found = study::find_by_cord(*search, [&](const CordSettings& settings) {
       if (stopped()) return Outcome{0.0, 0.0, "interrupted"};
-      const Outcome outcome = judge(settings, windows, accuracies_of(level, settings));
+      Outcome outcome = judge(settings, windows, accuracies_of(level, settings));
       if (options_->by_cord_progress)
         options_->by_cord_progress(static_cast<double>(++tried) / static_cast<double>(most));
       return outcome;
