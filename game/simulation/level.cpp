@@ -6,6 +6,7 @@
 #include <limits>
 #include <system_error>
 
+#include "game/simulation/line.h"
 #include "game/simulation/player.h"
 #include "game/simulation/tether.h"
 
@@ -16,8 +17,9 @@ using engine::MapObject;
 
 const std::vector<std::string> own_kinds = {"player", "player_2", "goal",   "checkpoint", "hook", "text",
                                             "blade",  "fire",     "spikes", "chaser",     "coin"};
-const std::vector<std::string> own_properties = {"title", "hint",   "number", "sandbox", "lines",
-                                                 "gold",  "silver", "bronze", "knife",   "place"};
+const std::vector<std::string> own_properties = {"title", "hint",  "number",        "sandbox",
+                                                 "lines", "gold",  "silver",        "bronze",
+                                                 "knife", "place", "line_substeps", "line_tolerance"};
 constexpr engine::NumberRange medal_seconds{0.1, 3600.0};
 constexpr std::size_t max_text_bytes = 120;
 
@@ -59,6 +61,15 @@ Place read_place(const engine::Properties& properties) {
   return *std::find_if(places.begin(), places.end(), [&](Place place) { return place_name(place) == name; });
 }
 
+/// Returns none if the map leaves it to LineTuning.
+std::optional<ribbon::Accuracy> read_line_accuracy(const engine::Properties& properties) {
+  const ribbon::Accuracy usual = LineTuning{}.accuracy;
+  ribbon::Accuracy accuracy = usual;
+  accuracy.substeps = static_cast<int>(properties.integer_or("line_substeps", usual.substeps, {1, 256}));
+  accuracy.tolerance = properties.number_or("line_tolerance", usual.tolerance, {1e-12, 1.0});
+  return accuracy == usual ? std::nullopt : std::optional(accuracy);
+}
+
 void read_map_properties(Level& level) {
   const engine::Properties& p = level.map.properties;
   level.title = short_text(p, "title");
@@ -68,6 +79,7 @@ void read_map_properties(Level& level) {
   level.place = read_place(p);
   level.sandbox = p.boolean_or("sandbox", false);
   level.lines = static_cast<int>(p.integer_or("lines", 1, {1, Lines::most}));
+  level.line_accuracy = read_line_accuracy(p);
   level.medals = {p.number_or("gold", 0.0, medal_seconds), p.number_or("silver", 0.0, medal_seconds),
                   p.number_or("bronze", 0.0, medal_seconds)};
   const Medals& m = level.medals;

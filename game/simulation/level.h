@@ -44,7 +44,7 @@ struct Level {
   Place place = Place::hills;
   bool sandbox = false;  ///< the pointer can drag bodies and cords without the debug view
   int lines = 1;         ///< that the player can hold at once, 1 … 2
-  /// Of thrown lines; none: LineTuning::accuracy. A map does not set it.
+  /// Of thrown lines; none: LineTuning::accuracy. A map can set its substeps and tolerance.
   std::optional<ribbon::Accuracy> line_accuracy{};
   Medals medals;
   engine::TiledMap map;
@@ -91,7 +91,8 @@ std::string assets_folder();
 ///   waits until the player passes this x], cord (optional: it falls where it is over this cord, if that is cut or
 ///   broken). After a death it is back at its start
 /// - `coin`: point; the player collects it by touch, and keeps it after a fall
-/// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, lines, gold, silver,
+/// and properties of its own: title, hint (may name keys, see hint_in_words), number, sandbox, lines,
+/// line_substeps and line_tolerance (of thrown lines, as those of a cord), gold, silver,
 /// bronze [s], knife (the player can cut cords; false by default), place (hills, cave, harbour or storm; by default
 /// hills). Bodies and the player float in the water of the map; see WaterForces. A line can be thrown at bodies with
 /// the property `sticky` too. Throws engine::MapError if the file does not exist, if the map has other or invalid

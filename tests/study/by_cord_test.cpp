@@ -100,6 +100,14 @@ TEST(ByCord, StartsFromTheCommonSettingWithTheLeastWork) {
   EXPECT_FALSE(search_of(study, 8e-3, {5}));
   EXPECT_FALSE(search_of(study, 5e-5, {5, 6}));
   EXPECT_FALSE(search_of(study, 3e-2, {5, 6}));  // the cheapest one is within it
+
+  const CordBound bound = bound_of(study, 8e-3, 2);
+  EXPECT_EQ(bound.common, name_of(middle));
+  EXPECT_EQ(bound.common_work, 300.0);
+  EXPECT_EQ(bound.most_gain, 300.0 / bound.least_work);
+  EXPECT_EQ(bound_of(study, 8e-3, 1).most_gain, 1.0);
+  EXPECT_EQ(bound_of(study, 3e-2, 2).most_gain, 1.0);
+  EXPECT_TRUE(std::isnan(bound_of(study, 5e-5, 2).most_gain));
 }
 
 TEST_F(LevelStudy, ACordHasItsOwnSettingInTheLevelAndInTheFile) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "tests/study/cord_search.h"
 #include "tests/study/level_report.h"
 #include "tests/study/level_study.h"
 #include "tests/study/progress_bar.h"
@@ -20,8 +21,6 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 
 void interrupt(int /*signal*/) { interrupted = 1; }
-
-constexpr std::size_t other_players = 4;
 
 std::string recording_of(const LevelFile& file) {
   return game::assets_folder() + "/replays/" + std::filesystem::path(file.path()).stem().string() + ".replay";
@@ -123,11 +122,16 @@ Inputs start_of_recording(const LevelFile& level) {
   return inputs;
 }
 
+/// Returns those of the command, or all of the game.
+std::vector<LevelFile> levels_of(const Command& command) {
+  const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
+  if (names.empty()) throw std::runtime_error("there is no level in " + game::assets_folder() + "/levels");
+  return {names.begin(), names.end()};
+}
+
 /// Verifies recommendations for the requested limits. With csv the rows go to the output as they come.
 int print_validation(const Command& command) {
-  const std::vector<std::string> names = command.levels.empty() ? game::level_names() : command.levels;
-  const std::vector<LevelFile> levels(names.begin(), names.end());
-  if (levels.empty()) throw std::runtime_error("there is no level in " + game::assets_folder() + "/levels");
+  const std::vector<LevelFile> levels = levels_of(command);
   ValidationOptions options;
   options.promises = promises_of(command.limits);
   options.runs = *command.validation_runs;
@@ -181,7 +185,48 @@ void print_grid(const std::vector<Setting>& all) {
 }  // namespace
 
 int summarise_promises(const std::string& path) {
-  print_tallies(read_promises(path));
+  std::vector<PromiseRow> rows = read_promises(path);
+  print_tallies(rows);
+  for (PromiseRow& row : rows) row.promise = "all promises";
+  print_tallies(rows);
+  return 0;
+}
+
+namespace {
+
+void print_bound(const std::string& level, std::size_t cords, const CordBound& bound,
+                 const std::optional<ByCord>& found) {
+  const auto known = [](double value, int decimals) { return std::isnan(value) ? "-" : fixed(value, decimals); };
+  std::printf("%-20s %5zu  %-38s %10s %10s %8s %8s\n", level.c_str(), cords,
+              bound.common.empty() ? "none" : bound.common.c_str(), known(bound.common_work, 0).c_str(),
+              known(bound.least_work, 0).c_str(), known(bound.most_gain, 2).c_str(),
+              found ? fixed(found->common_work / found->outcome.work, 2).c_str() : "-");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int print_by_cord(const Command& command) {
+  const double error = command.limits.max_error_m.value_or(default_error);
+  StudyOptions options;
+  options.quick = true;
+  options.repeats = 1;
+  options.grid = own_settings();
+  options.by_cord_error_m = error;
+  const std::vector<LevelFile> levels = levels_of(command);
+  if (command.shard.is_first())
+    std::printf("%-20s %5s  %-38s %10s %10s %8s %8s\n", "level", "cords", "one setting for all", "work/tick", "least",
+                "at most", "by cord");
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (!command.shard.has(k, levels.size())) continue;
+    const LevelFile& level = levels[k];
+    options.others = players_that_meet_cords(level.level(), 0, judging_players);
+    options.by_cord_progress = [](double share) { show_progress("by cord", share); };
+    options.progress = [](double share, double left) { show_progress("study", share, left); };
+    const Study study = measure(level, replay_of(command, level), options);
+    const std::size_t cords = cord_objects_of(level.level()).size();
+    print_bound(level.level().name, cords, bound_of(study, usable_error_share * error, cords), study.by_cord);
+  }
   return 0;
 }
 
@@ -193,7 +238,7 @@ int run(const Command& command) {
 
   print_grid(grid(command.quick));
   StudyOptions options;
-  options.others = players_that_meet_cords(file.level(), 0, other_players);
+  options.others = players_that_meet_cords(file.level(), 0, judging_players);
   options.quick = command.quick;
   if (command.by_cord) options.by_cord_error_m = command.limits.max_error_m.value_or(default_error);
   options.repeats = command.repeats.value_or(command.quick ? 3 : 9);
@@ -201,6 +246,7 @@ int run(const Command& command) {
   options.films = !command.folder.empty();
   options.stopped = [] { return interrupted != 0; };
   options.progress = [](double share, double left) { show_progress("study", share, left); };
+  options.by_cord_progress = [](double share) { show_progress("by cord", share); };
   const auto before = std::signal(SIGINT, interrupt);
   const Study study = measure(file, replay, options);
   std::signal(SIGINT, before);

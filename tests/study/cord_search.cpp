@@ -22,6 +22,22 @@ std::vector<std::size_t> by_work(const Study& study, const std::vector<Point>& p
 
 }  // namespace
 
+CordBound bound_of(const Study& study, double max_error_m, std::size_t cords) {
+  const std::vector<Point> points = applicable(study);
+  CordBound bound;
+  for (const std::size_t k : by_work(study, points)) {
+    const Measured& m = study.settings[k];
+    if (is_present(m.setting)) continue;
+    if (std::isnan(bound.least_work)) bound.least_work = m.tick_work.mean;
+    if (points[k].error_m > max_error_m) continue;
+    bound.common = name_of(m.setting);
+    bound.common_work = m.tick_work.mean;
+    bound.most_gain = cords < 2 ? 1.0 : bound.common_work / bound.least_work;
+    break;
+  }
+  return bound;
+}
+
 std::optional<CordSearch> search_of(const Study& study, double max_error_m, std::vector<int> cords) {
   constexpr double least_gain = 1.2;
   const std::vector<Point> points = applicable(study);

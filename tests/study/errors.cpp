@@ -75,22 +75,6 @@ void add_figures(Errors& errors, std::span<const Figures> run, const Trace& refe
                     (reference.mass * speed);
 }
 
-/// Returns whether two runs differ by at most `most` everywhere in a tick; false for NaN.
-bool agree(const Trace& a, const Trace& b, std::size_t tick, double most) {
-  if (!(length(a.player[tick] - b.player[tick]) <= most)) return false;
-  for (std::size_t k = 0; k < std::min(a.bodies[tick].size(), b.bodies[tick].size()); ++k) {
-    if (!(length(a.bodies[tick][k] - b.bodies[tick][k]) <= most)) return false;
-  }
-  bool all = true;
-  for_each_common_cord(a, b, tick, [&](std::size_t i, std::size_t j, std::size_t) {
-    for (std::size_t s = 0; s < Trace::stations; ++s) {
-      const Vec2 off = a.places[tick][i * Trace::stations + s] - b.places[tick][j * Trace::stations + s];
-      all = all && length(off) <= most;
-    }
-  });
-  return all;
-}
-
 }  // namespace
 
 double Errors::greatest_length() const {
@@ -111,6 +95,21 @@ Errors difference(const Trace& run, const Trace& reference, std::size_t ticks) {
   const std::size_t known = std::min({ticks, run.figures.size(), reference.figures.size()});
   if (known > 0) add_figures(errors, std::span(run.figures).first(known), reference);
   return errors;
+}
+
+bool agree(const Trace& a, const Trace& b, std::size_t tick, double most) {
+  if (!(length(a.player[tick] - b.player[tick]) <= most)) return false;
+  for (std::size_t k = 0; k < std::min(a.bodies[tick].size(), b.bodies[tick].size()); ++k) {
+    if (!(length(a.bodies[tick][k] - b.bodies[tick][k]) <= most)) return false;
+  }
+  bool all = true;
+  for_each_common_cord(a, b, tick, [&](std::size_t i, std::size_t j, std::size_t) {
+    for (std::size_t s = 0; s < Trace::stations; ++s) {
+      const Vec2 off = a.places[tick][i * Trace::stations + s] - b.places[tick][j * Trace::stations + s];
+      all = all && length(off) <= most;
+    }
+  });
+  return all;
 }
 
 std::size_t agreeing_ticks(const Trace& a, const Trace& b, double most) {

@@ -28,6 +28,9 @@ struct Errors {
 /// Returns the errors of `run` relative to `reference`, a run of the same level, in the first `ticks` that both have.
 Errors difference(const Trace& run, const Trace& reference, std::size_t ticks);
 
+/// Returns whether two runs differ in a tick that both have by at most `most` metres everywhere.
+bool agree(const Trace& a, const Trace& b, std::size_t tick, double most);
+
 /// Returns the number of ticks in which two runs differ by at most `most` metres everywhere: players, bodies, and cords
 /// that exist in both. Later motion is chaotic.
 std::size_t agreeing_ticks(const Trace& a, const Trace& b, double most);

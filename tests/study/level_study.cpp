@@ -181,6 +181,18 @@ class LevelStudy {
     return trace;
   }
 
+  /// Runs both (see run_converged); returns the saved runs if the folder has them.
+  std::pair<Trace, Trace> converged_runs(const Setting& first, const Setting& second, const AccuracyChange& change) {
+    std::optional<Trace> known_first = results_->run(name_of(first));
+    std::optional<Trace> known_second = results_->run(name_of(second));
+    if (known_first && known_second) return {std::move(*known_first), std::move(*known_second)};
+    runs_ += 2;
+    std::pair<Trace, Trace> runs = run_converged(file_->with(first), file_->with(second), inputs_, change);
+    results_->add_run(name_of(first), runs.first);
+    results_->add_run(name_of(second), runs.second);
+    return runs;
+  }
+
   /// The same with a kick at the start (see PartSetting).
   Trace kicked_run(const Setting& setting, double kick) {
     const std::string name = name_of(setting) + (kick < 0.0 ? " left" : " right");
@@ -217,11 +229,9 @@ class LevelStudy {
     if (stopped()) return false;
     const AccuracyChange change = end_of_reference(mesh, left, right);
     Converged converged;
-    converged.trace = whole_run(second, change);
-    progress_.add(work_of(second));
-    if (stopped()) return false;
-    const Trace other = whole_run(first, change);
-    progress_.add(work_of(first));
+    auto [other, finer] = converged_runs(first, second, change);
+    converged.trace = std::move(finer);
+    progress_.add(work_of(first) + work_of(second));
     converged.about = reference_of(mesh, {converged.trace, other, left, right});
     converged_[mesh] = std::move(converged);
     return true;
@@ -295,9 +305,16 @@ class LevelStudy {
     const double error = usable_error_share * *options_->by_cord_error_m;
     const std::optional<CordSearch> search = search_of(study, error, cord_objects_of(level));
     if (!search) return std::nullopt;
+    const std::size_t most = search->cords.size() * (search->cheaper.size() + 1);
+    std::size_t tried = 0;
     std::optional<ByCord> found = study::find_by_cord(*search, [&](const CordSettings& settings) {
-      return stopped() ? Outcome{0.0, 0.0, "interrupted"} : judge(settings, windows, accuracies_of(level, settings));
+      if (stopped()) return Outcome{0.0, 0.0, "interrupted"};
+      Outcome outcome = judge(settings, windows, accuracies_of(level, settings));
+      if (options_->by_cord_progress)
+        options_->by_cord_progress(static_cast<double>(++tried) / static_cast<double>(most));
+      return outcome;
     });
+    if (options_->by_cord_progress) options_->by_cord_progress(1.0);
     if (found && found->outcome.work >= least_work_within(study, error)) found.reset();
     return found;
   }

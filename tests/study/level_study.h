@@ -85,14 +85,15 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
-  std::vector<Setting> grid;                     ///< settings to measure in place of those by `quick`, without meshes
-  bool films = false;                            ///< make films of the settings
-  std::size_t windows = 0;                       ///< number of windows, at most; 0: by `quick`
-  std::vector<Inputs> others{};                  ///< other players: a setting must do with each of them
-  std::optional<double> by_cord_error_m{};       ///< m; find settings by cord for that error, too
-  std::string folder;                            ///< for saved results; empty: none
-  std::function<bool()> stopped;                 ///< called between runs
-  std::function<void(double, double)> progress;  ///< called with the share done and the remaining seconds
+  std::vector<Setting> grid;                       ///< settings to measure in place of those by `quick`, without meshes
+  bool films = false;                              ///< make films of the settings
+  std::size_t windows = 0;                         ///< number of windows, at most; 0: by `quick`
+  std::vector<Inputs> others{};                    ///< other players: a setting must do with each of them
+  std::optional<double> by_cord_error_m{};         ///< m; find settings by cord for that error, too
+  std::string folder;                              ///< for saved results; empty: none
+  std::function<bool()> stopped;                   ///< called between runs
+  std::function<void(double, double)> progress;    ///< called with the share done and the remaining seconds
+  std::function<void(double)> by_cord_progress{};  ///< called with the share done of the search by cord
 };
 
 /// Measures a level and its recorded input over the grid. Continues saved results of the same level, replay, grid and

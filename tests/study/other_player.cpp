@@ -21,10 +21,11 @@ OtherPlayer::OtherPlayer(const LevelFile& file, Inputs inputs, const StudyOption
                accuracy_of(reference({}, true, options.quick)), windows) {
   const Trace left = kicked_run(file.with(probe({})), inputs_, -ribbon::study::probe_kick);
   const Trace right = kicked_run(file.with(probe({})), inputs_, ribbon::study::probe_kick);
-  const std::optional<AccuracyChange> change = end_of_reference({}, left, right);
-  converged_ = study::run(file.with(reference({}, true, options.quick)), inputs_, {}, change);
-  about_ = reference_of(
-      {}, {converged_, study::run(file.with(reference({}, false, options.quick)), inputs_, {}, change), left, right});
+  auto [other, converged] =
+      run_converged(file.with(reference({}, false, options.quick)), file.with(reference({}, true, options.quick)),
+                    inputs_, end_of_reference({}, left, right));
+  converged_ = std::move(converged);
+  about_ = reference_of({}, {converged_, other, left, right});
 }
 
 void OtherPlayer::judge(const CordSettings& settings, WithOthers& results) const {

@@ -21,6 +21,31 @@ Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs) {
   return about;
 }
 
+namespace {
+
+/// Returns false if one of the runs ended before.
+bool agree_in(const Trace& a, const Trace& b, std::size_t tick) {
+  return tick < std::min(a.places.size(), b.places.size()) &&
+         agree(a, b, tick, ribbon::study::max_reference_difference);
+}
+
+}  // namespace
+
+std::pair<Trace, Trace> run_converged(const game::Level& first, const game::Level& second, const Inputs& inputs,
+                                      const AccuracyChange& change) {
+  const Method own;
+  RecordedRun a(first, inputs, own);
+  RecordedRun b(second, inputs, own);
+  bool compared = true;
+  for (std::size_t k = 0; !a.has_ended() || !b.has_ended(); ++k) {
+    compared = compared && k < change.tick && (k == 0 || agree_in(a.trace(), b.trace(), k - 1));
+    const ribbon::Accuracy* accuracy = compared ? nullptr : &change.accuracy;
+    a.tick(accuracy);
+    b.tick(accuracy);
+  }
+  return {a.take_trace(), b.take_trace()};
+}
+
 AccuracyChange end_of_reference(const Mesh& mesh, const Trace& left, const Trace& right) {
   return {agreeing_ticks(left, right, ribbon::study::max_probe_difference), accuracy_of(probe(mesh))};
 }

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
+#include "tests/study/players.h"
 #include "tests/study/setting.h"
 #include "tests/study/statistics.h"
 #include "tests/study/trace.h"
@@ -27,6 +29,12 @@ struct ReferenceRuns {
   const Trace& right;
 };
 Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs);
+
+/// Runs two converged motions side by side, and from the tick after that in which they differ by more than
+/// max_reference_difference on, or from `change` on, with the accuracy of `change`: nothing is compared there, and
+/// where converged runs part they are most expensive. Returns the records of the first and the second.
+std::pair<Trace, Trace> run_converged(const game::Level& first, const game::Level& second, const Inputs& inputs,
+                                      const AccuracyChange& change);
 
 /// Returns where converged runs take the probe's setting: after the ticks in which the probes agree. From there on no
 /// path is compared, only statistics, and what goes through what.

@@ -76,6 +76,14 @@ std::vector<Setting> grid(bool quick) {
   return all;
 }
 
+std::vector<Setting> own_settings() {
+  std::vector<Setting> own = grid(true);
+  std::erase_if(own, [](const Setting& setting) {
+    return setting.solver != "direct" || mesh_of(setting) != Mesh{} || is_present(setting);
+  });
+  return own;
+}
+
 Setting probe(const Mesh& mesh) { return {"direct", "tr_bdf2", 4, 1e-5, mesh.points, 0, mesh.rows, unlimited_work}; }
 
 Setting reference(const Mesh& mesh, bool second, bool quick) {

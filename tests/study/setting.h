@@ -64,6 +64,9 @@ bool is_box2d(const Setting& setting);
 /// Both begin with the present setting.
 std::vector<Setting> grid(bool quick);
 
+/// Returns the settings of the quick grid for a level's own cords, but the present one.
+std::vector<Setting> own_settings();
+
 using ribbon::study::unlimited_work;
 
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for

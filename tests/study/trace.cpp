@@ -75,6 +75,7 @@ class Recorder {
     bool unconverged = false;
     for (const ribbon::box2d::CordId c : coupling.cords()) unconverged = add_cord(coupling, c) || unconverged;
     trace_.unconverged_ticks += unconverged ? 1 : 0;
+    trace_.work += coupling.tick_report();  // an island counts once, however many cords it has
     trace_.tick_work.push_back(coupling.tick_report().work);
     add_bodies(simulation);
   }
@@ -116,7 +117,6 @@ class Recorder {
     trace_.stretch.back() = std::max(trace_.stretch.back(), stretch);
     trace_.figures.back().stretch += stretch / coupling.size();
     if (!is_direct) return false;
-    trace_.work += coupling.cord(c).island_report();
     trace_.contacts += static_cast<int>(coupling.cord(c).direct().touches().size());
     return coupling.cord(c).island_report().unconverged > 0;
   }
@@ -185,26 +185,52 @@ bool Trace::has_cords() const {
   return std::any_of(cords.begin(), cords.end(), [](const auto& present) { return !present.empty(); });
 }
 
+struct RecordedRun::Parts {
+  Parts(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& how)
+      : run(level, inputs, how), ticks(inputs.size()), method(&how) {
+    run.reset();
+  }
+
+  LevelRun run;
+  std::size_t ticks;
+  const Method* method;
+  std::optional<Recorder> recorder{};
+  TunnellingDetector watch{};
+  ribbon::study::Accuracies accuracies{};
+};
+
+RecordedRun::RecordedRun(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method)
+    : parts_(std::make_unique<Parts>(level, inputs, method)) {
+  parts_->recorder.emplace(parts_->run.simulation().scene(), method);
+}
+
+RecordedRun::~RecordedRun() = default;
+
+bool RecordedRun::has_ended() const { return trace().places.size() == parts_->ticks || !trace().failure.empty(); }
+
+const Trace& RecordedRun::trace() const { return parts_->recorder->trace(); }
+
+Trace RecordedRun::take_trace() { return std::move(parts_->recorder->trace()); }
+
+void RecordedRun::tick(const ribbon::Accuracy* accuracy) {
+  if (has_ended()) return;
+  LevelRun& run = parts_->run;
+  if (accuracy != nullptr) parts_->accuracies.set(run.simulation().scene().coupling(), *accuracy);
+  run.tick();
+  run.show();
+  parts_->recorder->add(run.simulation());
+  Trace& trace = parts_->recorder->trace();
+  if (run.simulation().run_ticks() == 1) parts_->watch.reset();  // after a restart
+  const engine::Scene& now = run.simulation().scene();
+  trace.crossings.push_back(parts_->watch.detect(now.world(), now.coupling(), cord_filter(*parts_->method)));
+  trace.failure = blow_up_of(trace, trace.places.size());
+}
+
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method,
           const std::optional<AccuracyChange>& change) {
-  LevelRun run(level, inputs, method);
-  run.reset();
-  Recorder recorder(run.simulation().scene(), method);
-  TunnellingDetector watch;
-  ribbon::study::Accuracies accuracies;
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
-    if (change && k >= change->tick) accuracies.set(run.simulation().scene().coupling(), change->accuracy);
-    run.tick();
-    run.show();
-    recorder.add(run.simulation());
-    Trace& trace = recorder.trace();
-    if (run.simulation().run_ticks() == 1) watch.reset();  // after a restart
-    const engine::Scene& now = run.simulation().scene();
-    trace.crossings.push_back(watch.detect(now.world(), now.coupling(), cord_filter(method)));
-    trace.failure = blow_up_of(trace, k + 1);
-    if (!trace.failure.empty()) break;
-  }
-  return std::move(recorder.trace());
+  RecordedRun run(level, inputs, method);
+  for (std::size_t k = 0; !run.has_ended(); ++k) run.tick(change && k >= change->tick ? &change->accuracy : nullptr);
+  return run.take_trace();
 }
 
 StartedRun::StartedRun(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,

@@ -48,7 +48,7 @@ struct Trace {
   std::vector<Crossings> crossings;               ///< by tick
   double mass = 0.0;                              ///< kg, of cords and dynamic bodies
   double gravity = 0.0;                           ///< m/s², magnitude
-  ribbon::IslandReport work;                      ///< of all cords and ticks of the direct solver
+  ribbon::IslandReport work;                      ///< of all islands and ticks of the direct solver
   int contacts = 0;                               ///< sum over cords and ticks, after each tick
   int unconverged_ticks = 0;                      ///< ticks with an unconverged cord of the direct solver
   std::vector<std::int64_t> tick_work;            ///< by tick: IslandReport::work of all cords of the direct solver
@@ -101,7 +101,27 @@ struct AccuracyChange {
   ribbon::Accuracy accuracy;
 };
 
-/// Runs all inputs, or until a position is NaN or beyond a kilometre.
+/// A run of all inputs, or until a position is NaN or beyond a kilometre, that is recorded tick by tick.
+class RecordedRun {
+ public:
+  /// Stores references to level, inputs and method.
+  RecordedRun(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method);
+  RecordedRun(const RecordedRun&) = delete;
+  RecordedRun& operator=(const RecordedRun&) = delete;
+  ~RecordedRun();
+
+  /// Runs the next tick, if there is one, with an accuracy of all cords of the direct solver; none: the level's own.
+  void tick(const ribbon::Accuracy* accuracy);
+  bool has_ended() const;
+  const Trace& trace() const;
+  Trace take_trace();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Returns the record of a whole run.
 Trace run(const game::Level& level, std::span<const engine::TickInput> inputs, const Method& method = {},
           const std::optional<AccuracyChange>& change = {});
 

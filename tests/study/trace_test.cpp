@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "game/simulation/buttons.h"
 #include "tests/study/errors.h"
+#include "tests/study/level_file.h"
 
 namespace study {
 namespace {
@@ -171,6 +173,15 @@ constexpr const char* thrown_over = R"({
   {"id": 5, "type": "circle", "x": 284.8, "y": 268.8, "width": 6.4, "height": 6.4, "ellipse": true, "properties": [
    {"name": "density", "type": "float", "value": 1}, {"name": "velocity_x", "type": "float", "value": 2},
    {"name": "velocity_y", "type": "float", "value": 4.9}]}]}]})";
+
+/// The two ropes of the lift are one island.
+TEST(Trace, TheWorkOfAnIslandCountsOnce) {
+  const LevelFile file(TEST_ASSETS "/levels/the_lift.tmj");
+  std::vector<engine::TickInput> inputs(10);
+  const Trace trace = run(file.level(), inputs);
+  EXPECT_GT(trace.work.work, 0);
+  EXPECT_EQ(trace.work.work, std::accumulate(trace.tick_work.begin(), trace.tick_work.end(), std::int64_t{0}));
+}
 
 TEST(Trace, ARestartDoesNotCountAsTunnelling) {
   const game::Level level = game::level_of(engine::parse_tiled_map(thrown_over, "thrown_over.tmj"));

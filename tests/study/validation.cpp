@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "game/simulation/buttons.h"
+#include "ribbon/box2d/state_hash.h"
 #include "tests/study/text.h"
 
 namespace study {
@@ -13,16 +13,6 @@ namespace {
 
 constexpr int promise_repeats = 3;
 constexpr std::size_t promise_windows = 3;
-
-/// The settings of the quick grid for a level's own cords.
-std::vector<Setting> own_settings() {
-  std::vector<Setting> own;
-  const std::vector<Setting> all = grid(true);
-  std::copy_if(all.begin(), all.end(), std::back_inserter(own), [](const Setting& setting) {
-    return setting.solver == "direct" && mesh_of(setting) == Mesh{} && !is_present(setting);
-  });
-  return own;
-}
 
 StudyOptions options_of(std::vector<Setting> settings, std::vector<Inputs> others = {}) {
   StudyOptions options;
@@ -93,6 +83,7 @@ class PromiseTrial {
       row.run = run + 1;
       row.level = level_->level().name;
       row.promise = promise.name;
+      row.level_hash = ribbon::box2d::to_hex(level_->hash());
     }
   }
 
@@ -169,9 +160,9 @@ Value& value_at(std::vector<std::pair<std::string, Value>>& list, const std::str
 }
 
 PromiseRow promise_row_of(const std::vector<std::string>& cells) {
-  if (cells.size() != 8 || (cells[5] != "0" && cells[5] != "1")) throw std::invalid_argument("cells");
-  return {std::stoul(cells[0]), cells[1],        cells[2], cells[3],
-          std::stod(cells[4]),  cells[5] == "1", cells[6], cells[7] == "1"};
+  if (cells.size() != 9 || (cells[5] != "0" && cells[5] != "1")) throw std::invalid_argument("cells");
+  return {std::stoul(cells[0]), cells[1], cells[2],        cells[3], std::stod(cells[4]),
+          cells[5] == "1",      cells[6], cells[7] == "1", cells[8]};
 }
 
 }  // namespace
@@ -208,12 +199,12 @@ std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> 
   return tallies;
 }
 
-std::string promises_header() { return "run,level,promise,setting,value,met,failure,holds_cord"; }
+std::string promises_header() { return "run,level,promise,setting,value,met,failure,holds_cord,level_hash"; }
 
 std::string csv_of(const PromiseRow& row) {
   return std::to_string(row.run) + ',' + csv_cell(row.level) + ',' + row.promise + ',' + csv_cell(row.setting) + ',' +
          significant(row.value, 6) + ',' + (row.is_met ? '1' : '0') + ',' + csv_cell(row.failure) + ',' +
-         (row.holds_cord ? '1' : '0');
+         (row.holds_cord ? '1' : '0') + ',' + row.level_hash;
 }
 
 std::vector<PromiseRow> read_promises(const std::string& path) {

@@ -29,11 +29,12 @@ struct PromiseRow {
   std::size_t run = 0;
   std::string level;
   std::string promise;
-  std::string setting;      ///< that was recommended; empty: none
-  double value = 0.0;       ///< with the other input, m, us, or work
-  bool is_met = false;      ///< of a recommended setting
-  std::string failure;      ///< why the setting or the run does not count; empty if it counts
-  bool holds_cord = false;  ///< whether the player held a cord with the other input
+  std::string setting;       ///< that was recommended; empty: none
+  double value = 0.0;        ///< with the other input, m, us, or work
+  bool is_met = false;       ///< of a recommended setting
+  std::string failure;       ///< why the setting or the run does not count; empty if it counts
+  bool holds_cord = false;   ///< whether the player held a cord with the other input
+  std::string level_hash{};  ///< hexadecimal, of the level's file: another one's rows say nothing of this one
 
   bool operator==(const PromiseRow&) const = default;
 };

@@ -217,7 +217,7 @@ TEST(Validation, TheRowsOfShardsAreThoseOfTheWhole) {
 }
 
 TEST(Validation, RowsAreReadAsTheyAreWritten) {
-  const std::vector<PromiseRow> rows = {{1, "first, or \"second\"", "error_0.01_m", "a b", 0.125, true, "", true},
+  const std::vector<PromiseRow> rows = {{1, "first, or \"second\"", "error_0.01_m", "a b", 0.125, true, "", true, "1f"},
                                         {2, "third", "p99_300_us", "", 0.0, false, "no such variation: x, y", false}};
   const std::string path = testing::TempDir() + "promises.csv";
   const auto write = [&](const std::string& head, const std::string& more) {
@@ -247,6 +247,7 @@ TEST(Validation, MeasuresARealLevel) {
   std::vector<PromiseRow> rows;
   validate_recommendations(levels, options, [&](const std::vector<PromiseRow>& some, double) { rows = some; });
   EXPECT_TRUE(rows.at(0).is_met) << csv_of(rows[0]);
+  EXPECT_EQ(std::stoull(rows[0].level_hash, nullptr, 16), levels[0].hash());
   EXPECT_TRUE(rows.at(1).is_met) << csv_of(rows[1]);
 }
 

@@ -109,8 +109,8 @@ void add_level_options(CLI::App& app, study::Command& study) {
                  "The same in counted work, which is the same on every machine: a number above 0, of the greatest tick")
       ->check(CLI::PositiveNumber);
   app.add_flag("--by-cord", study.by_cord,
-               "Look for settings by cord, too: some cheaper than one setting for all. With --apply these are written")
-      ->needs(level);
+               "Look for settings by cord, too: some cheaper than one setting for all. With --apply these are written. "
+               "Without --level, or with several: a table of levels");
   app.add_flag("--apply", study.apply, "Write the recommended setting to the level")->needs(level);
   app.add_option(
          "--validate,--promises", study.validation_runs,
@@ -145,7 +145,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "Count the promises that were kept in a file of --validate --csv");
   app.add_option_function<std::string>(
       "--shard", [&arguments](const std::string& text) { arguments.study.shard = study::shard_of(text); },
-      "K/N: only the K-th of N parts of --validate, --check or --report");
+      "K/N: only the K-th of N parts of --validate, --check, --report or --by-cord");
   app.add_flag("--accept", arguments.accept, "Rewrite the table or the file instead");
   app.add_flag("--csv", arguments.study.csv,
                "Print rows of comma-separated values under a header, scene,method,setting,points,…");
@@ -204,6 +204,7 @@ int run(Arguments& arguments) {
   }
   if (study.validation_runs) return study::run(study);
   if (!arguments.promises.empty()) return study::summarise_promises(arguments.promises);
+  if (study.by_cord && study.levels.size() != 1) return study::print_by_cord(study);
   if (!study.levels.empty()) return run_study(arguments);
   if (study.limits.any()) {
     throw std::runtime_error("--max-error and --budget need a level; accepted is --level or --validate beside them");

@@ -25,6 +25,7 @@ const std::vector<Mode>& modes() {
       {"--level",
        {"--replay", "--quick", "--repeats", "--out", "--max-error", "--budget", "--budget-p99", "--budget-most",
         "--budget-work", "--by-cord", "--apply", "--terms"}},
+      {"--by-cord", {"--max-error", "--shard"}},
       {"--scene", {"--repeats", "--out", "--csv"}}};
   return all;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "game/simulation/buttons.h"
 #include "game/simulation/simulation.h"
@@ -201,6 +202,26 @@ TEST(TwoLines, AreRefusedInOtherNumbers) {
 }
 
 /// The crate is pushed off its shelf, and hangs.
+TEST(Line, HasTheAccuracyOfItsMap) {
+  const auto accuracy_with = [](const std::function<void(engine::Properties&)>& set) {
+    engine::TiledMap map = small_map({ceiling()}, {10.0, 1.0}, 1.0);
+    set(map.properties);
+    const Level level = level_of(std::move(map));
+    Simulation simulation(level);
+    throw_line(simulation, button_throw, {10.0, 8.0});
+    return simulation.scene().coupling().cord(line(simulation, 0).cord().value()).direct().def().accuracy;
+  };
+  ribbon::Accuracy expected = LineTuning{}.accuracy;
+  EXPECT_EQ(accuracy_with([](engine::Properties&) {}), expected);
+  expected.substeps = 8;
+  EXPECT_EQ(accuracy_with([](engine::Properties& p) { p.insert("line_substeps", std::int64_t{8}); }), expected);
+  expected = LineTuning{}.accuracy;
+  expected.tolerance = 1e-5;
+  EXPECT_EQ(accuracy_with([](engine::Properties& p) { p.insert("line_tolerance", 1e-5); }), expected);
+  EXPECT_THROW(accuracy_with([](engine::Properties& p) { p.insert("line_substeps", std::int64_t{257}); }),
+               engine::MapError);
+}
+
 TEST(Knot, HangsACrateFromTheCeiling) {
   const auto height = [](bool ties) {
     const Level level = level_with(
