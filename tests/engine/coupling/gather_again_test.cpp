@@ -25,8 +25,8 @@ using constants::dt;
 using ribbon::Vec2;
 using test_support::Dice;
 
-constexpr double spacing = 1.5;  // m, from cord to cord
-constexpr int columns = 14;
+constexpr double rope_spacing = 1.5;  // m, from cord to cord
+constexpr int ropes_in_a_row = 14;
 
 /// Ropes that hang at rest among static boxes, more than one group of them.
 class HangingRopes {
@@ -63,14 +63,14 @@ class HangingRopes {
 
  private:
   int below(int n) { return std::min(n - 1, static_cast<int>(dice_() * n)); }
-  Vec2 place() { return {dice_(-1.0, spacing * columns), dice_(-3.0, 16.0)}; }
+  Vec2 place() { return {dice_(-1.0, rope_spacing * ropes_in_a_row), dice_(-3.0, 16.0)}; }
   void add_cord(int k) {
     ribbon::CordDef def;
     def.points = 6;
     def.length = 1.0;
     def.radius = 0.02;
     def.allow_sleep = dice_.coin();
-    const Vec2 pin{spacing * (k % columns), spacing * static_cast<double>(k / columns)};
+    const Vec2 pin{rope_spacing * (k % ropes_in_a_row), rope_spacing * static_cast<double>(k / ropes_in_a_row)};
     def.positions = test_support::equally_spaced(def.points, pin, {0.0, -0.2});
     def.pins = {0};
     coupling.add(ribbon::Cord(def));

@@ -5,10 +5,9 @@
 
 #include <cmath>
 #include <limits>
-#include <set>
-#include <utility>
 #include <vector>
 
+#include "tests/engine/coupling/tree_oracle.h"
 #include "tests/support/dice.h"
 
 // The search of the broad phase's tree finds what queries of Box2D find.
@@ -17,42 +16,16 @@ namespace ribbon::box2d {
 namespace {
 
 using test_support::Dice;
+using tree_oracle::box;
+using tree_oracle::found_by_box2d;
+using tree_oracle::Pairs;
+using tree_oracle::search_boxes;
 
-/// Collects the leaves of a query of Box2D.
-struct Collect {
-  bool QueryCallback(int32 leaf) {  // NOLINT(readability-identifier-naming): Box2D names it
-    leaves.insert(leaf);
-    return true;
-  }
-  std::set<int> leaves;
-};
-
-b2AABB box(double x, double y, double width, double height) {
-  b2AABB aabb;
-  aabb.lowerBound.Set(static_cast<float>(x), static_cast<float>(y));
-  aabb.upperBound.Set(static_cast<float>(x + width), static_cast<float>(y + height));
-  return aabb;
-}
-
-b2AABB random_box(Dice& dice) { return box(dice(-9.0, 9.0), dice(-9.0, 9.0), dice(0.0, 3.0), dice(0.0, 3.0)); }
-
-using Pairs = std::set<std::pair<std::size_t, int>>;  // box and leaf
-
-Pairs found_by_box2d(const b2BroadPhase& broad_phase, const std::vector<b2AABB>& boxes) {
-  Pairs pairs;
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    Collect collect;
-    broad_phase.Query(&collect, boxes[k]);
-    for (const int leaf : collect.leaves) pairs.insert({k, leaf});
-  }
-  return pairs;
-}
+b2AABB any_box(Dice& dice) { return box(dice(-9.0, 9.0), dice(-9.0, 9.0), dice(0.0, 3.0), dice(0.0, 3.0)); }
 
 Pairs found_by_search(const b2BroadPhase& broad_phase, const std::vector<b2AABB>& boxes) {
-  std::vector<SearchBox> search_boxes;
-  for (const b2AABB& aabb : boxes) search_boxes.emplace_back(aabb);
   Pairs pairs;
-  LeafSearch().find(BroadPhaseTree(broad_phase), search_boxes, [&](int leaf, BoxSet set) {
+  LeafSearch().find(BroadPhaseTree(broad_phase), search_boxes(boxes), [&](int leaf, BoxSet set) {
     for_each_box(set, [&](std::size_t k) { EXPECT_TRUE(pairs.insert({k, leaf}).second) << "found twice"; });
   });
   return pairs;
@@ -68,9 +41,9 @@ TEST(LeafSearch, FindsWhatQueriesFind) {
       broad_phase.DestroyProxy(proxies.front());
       proxies.erase(proxies.begin());
     }
-    for (int k = 0; k < round % 5; ++k) proxies.push_back(broad_phase.CreateProxy(random_box(dice), nullptr));
+    for (int k = 0; k < round % 5; ++k) proxies.push_back(broad_phase.CreateProxy(any_box(dice), nullptr));
     std::vector<b2AABB> boxes(1 + static_cast<std::size_t>(round) % LeafSearch::max_boxes);
-    for (b2AABB& aabb : boxes) aabb = random_box(dice);
+    for (b2AABB& aabb : boxes) aabb = any_box(dice);
     EXPECT_EQ(found_by_search(broad_phase, boxes), found_by_box2d(broad_phase, boxes)) << "round " << round;
   }
 }

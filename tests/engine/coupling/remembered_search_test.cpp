@@ -3,10 +3,9 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
-#include <set>
-#include <utility>
 #include <vector>
 
+#include "tests/engine/coupling/tree_oracle.h"
 #include "tests/support/dice.h"
 
 // A search of the broad phase's tree that is left out would have found what queries of Box2D find.
@@ -15,36 +14,12 @@ namespace ribbon::box2d {
 namespace {
 
 using test_support::Dice;
-
-/// Collects the leaves of a query of Box2D.
-struct Collect {
-  bool QueryCallback(int32 leaf) {  // NOLINT(readability-identifier-naming): Box2D names it
-    leaves.insert(leaf);
-    return true;
-  }
-  std::set<int> leaves;
-};
-
-b2AABB box(double x, double y, double size) {
-  b2AABB aabb;
-  aabb.lowerBound.Set(static_cast<float>(x), static_cast<float>(y));
-  aabb.upperBound.Set(static_cast<float>(x + size), static_cast<float>(y + size));
-  return aabb;
-}
+using tree_oracle::box;
+using tree_oracle::found_by_box2d;
+using tree_oracle::Pairs;
+using tree_oracle::search_boxes;
 
 b2AABB random_box(Dice& dice) { return box(dice(0.0, 20.0), dice(0.0, 20.0), 0.5); }
-
-using Pairs = std::set<std::pair<std::size_t, int>>;  // box and leaf
-
-Pairs found_by_box2d(const b2BroadPhase& broad_phase, const std::vector<b2AABB>& boxes) {
-  Pairs pairs;
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    Collect collect;
-    broad_phase.Query(&collect, boxes[k]);
-    for (const int leaf : collect.leaves) pairs.insert({k, leaf});
-  }
-  return pairs;
-}
 
 Pairs remembered(const RememberedSearch& search) {
   Pairs pairs;
@@ -52,12 +27,6 @@ Pairs remembered(const RememberedSearch& search) {
     for_each_box(leaf.boxes, [&](std::size_t k) { EXPECT_TRUE(pairs.insert({k, leaf.node}).second) << "found twice"; });
   }
   return pairs;
-}
-
-std::vector<SearchBox> search_boxes(const std::vector<b2AABB>& boxes) {
-  std::vector<SearchBox> list;
-  for (const b2AABB& aabb : boxes) list.emplace_back(aabb);
-  return list;
 }
 
 /// A tree, and a search of it that is repeated.
