@@ -14,33 +14,32 @@ namespace {
 
 class Converged : public testing::Test {
  protected:
-  Converged() { inputs_.resize(200); }
+  Converged() { inputs.resize(200); }
 
   /// Expects both records to be those of single runs whose accuracy changes in that tick.
   void expect_change(const std::pair<Trace, Trace>& runs, std::size_t tick) const {
     const AccuracyChange change{tick, accuracy_of(probe({}))};
-    EXPECT_EQ(runs.first.places, run(first_, inputs_, {}, change).places);
-    EXPECT_EQ(runs.second.places, run(second_, inputs_, {}, change).places);
+    EXPECT_EQ(runs.first.places, run(first, inputs, {}, change).places);
+    EXPECT_EQ(runs.second.places, run(second, inputs, {}, change).places);
   }
 
-  const LevelFile file_{TEST_ASSETS "/levels/first_swing.tmj"};
-  const game::Level first_ = file_.with(Setting{"direct", "implicit_euler", 1, 1e-2});
-  const game::Level second_ = file_.with(Setting{"direct", "tr_bdf2", 4, 1e-4});
-  Inputs inputs_ = inputs_of(engine::load_replay(TEST_ASSETS "/replays/first_swing.replay"));
+  const LevelFile file{TEST_ASSETS "/levels/first_swing.tmj"};
+  const game::Level first = file.with(Setting{"direct", "implicit_euler", 1, 1e-2});
+  const game::Level second = file.with(Setting{"direct", "tr_bdf2", 4, 1e-4});
+  Inputs inputs = inputs_of(engine::load_replay(TEST_ASSETS "/replays/first_swing.replay"));
 };
 
 TEST_F(Converged, RunsEndTheirComparisonTogetherWhereTheyPart) {
-  const std::pair<Trace, Trace> runs =
-      run_converged(first_, second_, inputs_, {inputs_.size(), accuracy_of(probe({}))});
+  const std::pair<Trace, Trace> runs = run_converged(first, second, inputs, {inputs.size(), accuracy_of(probe({}))});
   const std::size_t agreeing = agreeing_ticks(runs.first, runs.second, ribbon::study::max_reference_difference);
-  ASSERT_LT(agreeing + 1, inputs_.size());
+  ASSERT_LT(agreeing + 1, inputs.size());
   expect_change(runs, agreeing + 1);
 }
 
 TEST_F(Converged, RunsEndTheirComparisonWhereProbesPart) {
-  expect_change(run_converged(first_, second_, inputs_, {0, accuracy_of(probe({}))}), 0);
-  const std::pair<Trace, Trace> same = run_converged(second_, second_, inputs_, {20, accuracy_of(probe({}))});
-  EXPECT_EQ(same.first.places, run(second_, inputs_, {}, AccuracyChange{20, accuracy_of(probe({}))}).places);
+  expect_change(run_converged(first, second, inputs, {0, accuracy_of(probe({}))}), 0);
+  const std::pair<Trace, Trace> same = run_converged(second, second, inputs, {20, accuracy_of(probe({}))});
+  EXPECT_EQ(same.first.places, run(second, inputs, {}, AccuracyChange{20, accuracy_of(probe({}))}).places);
   EXPECT_EQ(same.second.places, same.first.places);
 }
 

@@ -70,7 +70,8 @@ class HangingRopes {
     def.length = 1.0;
     def.radius = 0.02;
     def.allow_sleep = dice_.coin();
-    const Vec2 pin{rope_spacing * (k % ropes_in_a_row), rope_spacing * static_cast<double>(k / ropes_in_a_row)};
+    const int row = k / ropes_in_a_row;
+    const Vec2 pin{rope_spacing * (k % ropes_in_a_row), rope_spacing * row};
     def.positions = test_support::equally_spaced(def.points, pin, {0.0, -0.2});
     def.pins = {0};
     coupling.add(ribbon::Cord(def));
