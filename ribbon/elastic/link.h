@@ -11,8 +11,7 @@ namespace ribbon {
 // make the system singular between two constrained points.
 constexpr double min_singular_compliance = 1e-10;  // of a chain that is solved alone
 constexpr double min_dual_compliance = 1e-12;      // of tensions that stay unknowns of a coupled solve
-constexpr double min_proximal_compliance =
-    1e-7;  // of tensions that are found by proximal(); iterations remove its error
+constexpr double min_proximal_compliance = 1e-7;   // in proximal(); iterations remove its error
 
 // Elongation below which a bar that cannot push is slack, as a share of its length: rounding of the length.
 constexpr double slack_tolerance = 1e-12;

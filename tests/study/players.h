@@ -14,7 +14,7 @@ using Inputs = std::vector<engine::TickInput>;
 /// Returns random buttons for a number of ticks; the same for the same seed.
 Inputs random_inputs(unsigned seed, int ticks);
 
-/// Number of other players with whom a recommended setting must do.
+/// A recommended setting must keep the error with this number of other players too.
 inline constexpr std::size_t judging_players = 4;
 
 /// The cords that a player meets in a level with the cords' own settings.
