@@ -13,6 +13,7 @@ namespace {
 constexpr double deep_share = 0.01;
 constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
 constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
+constexpr double usual_gravity = 10.0;           // m/s², by which weights are judged, also without gravity
 constexpr double negligible_way = 1e-3;  // of a direction's length: less is that of a straight rope, or rounding
 
 /// m, where an anchor is at the start of the step.
@@ -32,12 +33,17 @@ void restore_touch(const Member& member, ContactPair& pair) {
 }
 
 /// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
-/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
-void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
+/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several. What is
+/// pressed together with more than its weight comes out more slowly: the contact does no more work than lifting the
+/// weight at the greatest speed. Otherwise a cord that is trapped would be stretched without bound.
+void limit_penetration(const IslandState& state, double distance, double size, double mass, ContactPair& pair) {
   const double depth = pair.contact_distance - distance;
-  if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
+  const bool is_deep = depth > deep_share * size;
+  if (is_deep) pair.contact_distance = distance + depenetrated_share * depth;
   pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
-  const double max_in = state.dt * max_depenetration_speed;
+  double max_in = state.dt * max_depenetration_speed;
+  const double weight = usual_gravity * mass;
+  if (is_deep) max_in *= weight / std::max(weight, pair.touch.force);
   if (pair.initial_penetration > max_in) {
     pair.contact_distance -= pair.initial_penetration - max_in;
     pair.initial_penetration = max_in;
@@ -110,7 +116,7 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
     pair.parting = parting_direction(state, pair, gap);
   }
   limit_penetration(state, gap.distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
-                    pair);
+                    mass, pair);
   contacts.scene.add(pair);
 }
 
