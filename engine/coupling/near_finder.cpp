@@ -123,6 +123,7 @@ void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
     groups_.back().search.reserve(2 * leaves);
   }
   by_x_.reserve(cords);
+  walked_.reserve(leaves);
 }
 
 /// A fixture whose box in the tree is not near a cord matters only if its body moves. Such fixtures are tested one by
@@ -132,6 +133,7 @@ void NearFinder::find(b2World& world, std::span<const NearQuery> queries, Vec2 g
                       const ParallelFor& parallel_for) {
   const BroadPhaseTree tree(world.GetContactManager().m_broadPhase);
   if (tree.root() == b2_nullNode) return;
+  walked_.resize(static_cast<std::size_t>(world.GetBodyCount()));  // now, so that what comes near allocates nothing
   dt_ = dt;
   fall_ = length(gravity) * dt * dt;
   const std::size_t groups = (queries.size() + group_size - 1) / group_size;
@@ -242,7 +244,6 @@ void NearFinder::test_found(Task& task) const {
 /// A list cannot be fetched ahead, but its addresses are mostly those of the last walk.
 void NearFinder::test_moving_bodies(b2World& world, std::span<const NearQuery> queries) {
   sort_by_x(queries);
-  walked_.resize(static_cast<std::size_t>(world.GetBodyCount()));
   std::size_t k = 0;
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++k) {
     if (k + fetched_bodies < walked_.size()) fetch_walked(walked_[k + fetched_bodies]);
