@@ -37,4 +37,17 @@ BroadPhaseTree::BroadPhaseTree(const b2BroadPhase& broad_phase) {
   while (nodes_[root_].parent != b2_nullNode) root_ = nodes_[root_].parent;
 }
 
+bool may_overlap_leaf(const BroadPhaseTree& tree, const SearchBox& box) {
+  if (tree.root() == b2_nullNode || !box.overlaps(tree[tree.root()].aabb)) return false;
+  for (const b2TreeNode* node = &tree[tree.root()]; !node->IsLeaf();) {
+    const b2TreeNode& first = tree[node->child1];
+    const b2TreeNode& second = tree[node->child2];
+    const bool in_first = box.overlaps(first.aabb);
+    const bool in_second = box.overlaps(second.aabb);
+    if (in_first == in_second) return in_first;
+    node = in_first ? &first : &second;
+  }
+  return true;
+}
+
 }  // namespace ribbon::box2d

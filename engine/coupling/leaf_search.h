@@ -95,8 +95,16 @@ class BroadPhaseTree {
   int root_ = b2_nullNode;
 };
 
-/// Starts to fetch a node from memory. There need be no node with that index.
+// They start to fetch a node, or where its children are, from memory. There need be no node with that index.
 inline void prefetch_node(const BroadPhaseTree& tree, int index) { prefetch(&tree[index]); }
+inline void prefetch_children(const BroadPhaseTree& tree, int index) {
+  prefetch(&tree[index].child1);
+  prefetch(&tree[index].child2);
+}
+
+/// Returns whether a leaf of a tree may overlap a box. It goes down for as long as only one child of a node overlaps
+/// the box. False is certain.
+bool may_overlap_leaf(const BroadPhaseTree& tree, const SearchBox& box);
 
 /// Finds the leaves of a tree that overlap boxes. It searches for many boxes at once and so reads a node near several
 /// of them once only; most of the time of a query of Box2D goes into reading nodes.

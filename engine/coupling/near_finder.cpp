@@ -14,11 +14,13 @@ constexpr double travel_margin = 4.0;   // multiples of the distance that a body
 constexpr double min_rounding = 1e-30;  // m
 constexpr std::size_t group_size = LeafSearch::max_boxes;
 constexpr int min_groups_per_task = 1;
-constexpr int cache_line = 64;       // bytes
-constexpr int bodies_per_leaf = 30;  // that are walked through in the time that it takes to test a leaf
-constexpr int list_again = 256;      // ticks after which distant leaves are counted again
-constexpr float skin = 0.05F;        // m, by which the box of a search that is remembered is larger than asked for
-constexpr int max_failures = 5;      // a remembered search that was of no use this often is tried every 2⁵ ticks
+constexpr int cache_line = 64;              // bytes
+constexpr int next_in_body = 104;           // bytes, from a body's begin to its successor in the list; only for speed
+constexpr std::size_t fetched_bodies = 16;  // of a walk, that are fetched from memory before they are read
+constexpr int bodies_per_leaf = 30;         // that are walked through in the time that it takes to test a leaf
+constexpr int list_again = 256;             // ticks after which distant leaves are counted again
+constexpr float skin = 0.05F;    // m, by which the box of a search that is remembered is larger than asked for
+constexpr int max_failures = 5;  // a remembered search that was of no use this often is tried every 2⁵ ticks
 
 bool is_small(float number) { return std::abs(number) <= 1e9F; }  // false for NaN
 
@@ -60,6 +62,15 @@ double travel_of(const b2Body& body, const Box& box, double fall, double dt) {
   const double speed = static_cast<double>(body.GetLinearVelocity().Length()) +
                        (turning > 0.0 ? turning * extent(box, to_double(body.GetWorldCenter())) : 0.0);
   return std::min(max_travel(fall), travel_margin * (speed * dt + fall));
+}
+
+/// Starts to fetch the first and the last member that a walk through the bodies of a world reads of one. There need be
+/// no body any more, and the address may be null.
+void fetch_walked(const b2Body* body) {
+  if (body == nullptr) return;
+  const auto* const bytes = reinterpret_cast<const std::byte*>(body);
+  prefetch(bytes);
+  prefetch(bytes + next_in_body);
 }
 
 /// Adds a part of a fixture to the results of a query if the cord may touch it.
@@ -112,6 +123,7 @@ void NearFinder::reserve(std::size_t leaves, std::size_t cords) {
     groups_.back().search.reserve(2 * leaves);
   }
   by_x_.reserve(cords);
+  walked_.reserve(leaves);
 }
 
 /// A fixture whose box in the tree is not near a cord matters only if its body moves. Such fixtures are tested one by
@@ -121,6 +133,7 @@ void NearFinder::find(b2World& world, std::span<const NearQuery> queries, Vec2 g
                       const ParallelFor& parallel_for) {
   const BroadPhaseTree tree(world.GetContactManager().m_broadPhase);
   if (tree.root() == b2_nullNode) return;
+  walked_.resize(static_cast<std::size_t>(world.GetBodyCount()));  // now, so that what comes near allocates nothing
   dt_ = dt;
   fall_ = length(gravity) * dt * dt;
   const std::size_t groups = (queries.size() + group_size - 1) / group_size;
@@ -164,6 +177,7 @@ void NearFinder::run(Task& task, const BroadPhaseTree& tree, std::span<const Nea
 void NearFinder::run_group(Task& task, Group& group, const BroadPhaseTree& tree, std::span<const NearQuery> queries,
                            std::size_t first) {
   const auto of_group = queries.subspan(first, std::min(group_size, queries.size() - first));
+  if (is_far_from_all(task, tree, of_group)) return;
   for (std::size_t k = 0; k < of_group.size(); ++k) {
     task.at_rest[k] = search_box(widened(of_group[k].swept_aabb, travel_margin * fall_));
     task.moving[k] =
@@ -186,6 +200,15 @@ void NearFinder::run_group(Task& task, Group& group, const BroadPhaseTree& tree,
     for (const RememberedSearch::Leaf& leaf : group.search.leaves()) take(leaf.node, leaf.boxes);
   }
   test_found(task);
+}
+
+/// Returns whether nothing can be near a group of cords, by the box around all of them. True is certain.
+bool NearFinder::is_far_from_all(const Task& task, const BroadPhaseTree& tree,
+                                 std::span<const NearQuery> of_group) const {
+  Box all = of_group.front().swept_aabb;
+  for (const NearQuery& query : of_group) all = joined(all, query.swept_aabb);
+  const double travel = task.lists_distant ? max_travel(fall_) : travel_margin * fall_;
+  return !may_overlap_leaf(tree, search_box(widened(all, travel)));
 }
 
 /// Takes a leaf that overlaps some boxes of a group, or of a search for larger boxes.
@@ -218,9 +241,13 @@ void NearFinder::test_found(Task& task) const {
 }
 
 /// Walks through all bodies of the world and tests those that move for all cords. Fixtures near a cord are found twice.
+/// A list cannot be fetched ahead, but its addresses are mostly those of the last walk.
 void NearFinder::test_moving_bodies(b2World& world, std::span<const NearQuery> queries) {
   sort_by_x(queries);
-  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+  std::size_t k = 0;
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++k) {
+    if (k + fetched_bodies < walked_.size()) fetch_walked(walked_[k + fetched_bodies]);
+    walked_[k] = body;
     if (!moves(*body) || !body->IsEnabled() || !is_sound(*body)) continue;
     for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       const int children = fixture->GetShape()->GetChildCount();

@@ -76,6 +76,7 @@ class NearFinder {
   void take_leaf(Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> queries, std::size_t first,
                  int leaf, BoxSet boxes) const;
   void test_found(Task& task) const;
+  bool is_far_from_all(const Task& task, const BroadPhaseTree& tree, std::span<const NearQuery> of_group) const;
   void test_moving_bodies(b2World& world, std::span<const NearQuery> queries);
   void sort_by_x(std::span<const NearQuery> queries);
   void test_moving_fixture(std::span<const NearQuery> queries, b2Fixture& fixture, int child);
@@ -88,8 +89,9 @@ class NearFinder {
   bool is_recount_ = false;      // of them: a single tick, for which nothing is remembered
   std::vector<Task> tasks_;
   std::vector<Group> groups_;
-  std::vector<std::size_t> by_x_;  // queries, by the left side of their boxes
-  double max_width_ = 0.0;         // m, of these boxes
+  std::vector<std::size_t> by_x_;      // queries, by the left side of their boxes
+  double max_width_ = 0.0;             // m, of these boxes
+  std::vector<const b2Body*> walked_;  // addresses of the bodies in the last walk, only to fetch them from memory
 };
 
 }  // namespace ribbon::box2d

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <thread>
@@ -12,6 +13,9 @@
 namespace engine {
 
 /// A pool of threads that run tasks in parallel. The calling thread is one of the workers.
+///
+/// Each worker begins with its own share of the tasks: the same ones in each call with as many tasks. What they work on
+/// is then likely in the cache of its core. It goes on with tasks of the other shares.
 class Workers {
  public:
   /// One worker per core.
@@ -29,10 +33,16 @@ class Workers {
 
  private:
   using Task = ribbon::ParallelFor::Task;
+  /// The tasks that a worker begins with.
+  struct alignas(64) Share {  // a cache line, because several threads write to it
+    std::atomic<int> next{0};
+    int end = 0;
+  };
 
   void run(int count, Task task, void* things);
-  void work();
-  void serve();
+  void work(std::size_t worker);
+  void serve(std::size_t worker);
+  void wait_for_helpers();
 
   std::mutex mutex_;
   std::condition_variable has_work_;
@@ -41,12 +51,11 @@ class Workers {
   std::uint64_t call_ = 0;  // counts the calls
   bool open_ = false;       // threads may join the current call
   bool ends_ = false;
-  int helpers_ = 0;  // threads that work on the current call
+  std::atomic<int> helpers_{0};  // threads that work on the current call; changed under the mutex only
   // Of the current call:
-  int count_ = 0;
   Task task_ = nullptr;
   void* things_ = nullptr;
-  std::atomic<int> next_{0};
+  std::vector<Share> shares_;  // by worker
   std::vector<std::thread> threads_;
 };
 

@@ -48,6 +48,35 @@ TEST(LeafSearch, FindsWhatQueriesFind) {
   }
 }
 
+/// It is a cheap test, so it may be wrong in one direction only.
+TEST(LeafSearch, WhereNoLeafMayOverlapQueriesFindNothing) {
+  Dice dice(8);
+  int certain = 0;
+  int found = 0;
+  for (int round = 0; round < 400; ++round) {
+    b2BroadPhase broad_phase;
+    for (int k = 0; k < round % 40; ++k) broad_phase.CreateProxy(any_box(dice), nullptr);
+    const std::vector<b2AABB> boxes{any_box(dice)};
+    const bool finds = !found_by_box2d(broad_phase, boxes).empty();
+    found += finds ? 1 : 0;
+    if (may_overlap_leaf(BroadPhaseTree(broad_phase), SearchBox(boxes.front()))) continue;
+    ++certain;
+    EXPECT_FALSE(finds) << "round " << round;
+  }
+  EXPECT_GT(certain, 100);
+  EXPECT_GT(found, 100);
+}
+
+TEST(LeafSearch, MayOverlapNoLeafBetweenTwoHeaps) {
+  b2BroadPhase broad_phase;
+  for (int k = 0; k < 50; ++k) {
+    broad_phase.CreateProxy(box(-100.0 + 0.5 * k, 0.0, 1.0, 1.0), nullptr);
+    broad_phase.CreateProxy(box(100.0 - 0.5 * k, 0.0, 1.0, 1.0), nullptr);
+  }
+  EXPECT_FALSE(may_overlap_leaf(BroadPhaseTree(broad_phase), SearchBox(box(0.0, 0.0, 1.0, 1.0))));
+  EXPECT_TRUE(may_overlap_leaf(BroadPhaseTree(broad_phase), SearchBox(box(99.5, 0.5, 1.0, 1.0))));
+}
+
 TEST(LeafSearch, FindsNothingInAnEmptyTree) {
   b2BroadPhase broad_phase;
   const std::vector<b2AABB> boxes(3, box(-1e9, -1e9, 2e9, 2e9));

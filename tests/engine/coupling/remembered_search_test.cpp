@@ -106,6 +106,24 @@ TEST(RememberedSearch, IsCurrentForBoxesInsideThoseThatWereSearched) {
   EXPECT_FALSE(searched.is_current());
 }
 
+/// The boxes of the nodes above it need not change with it.
+TEST(RememberedSearch, IsNotCurrentIfAProxyMovesIntoABoxInsideTheRoot) {
+  for (const bool comes : {true, false}) {
+    b2BroadPhase tree;
+    for (const double corner : {0.0, 99.0}) tree.CreateProxy(box(corner, corner, 1.0), nullptr);
+    const b2AABB out = box(20.0, 80.0, 1.0);
+    const b2AABB in = box(50.0, 50.0, 1.0);
+    const int moved = tree.CreateProxy(comes ? out : in, nullptr);
+    const std::vector<SearchBox> boxes = search_boxes({box(49.0, 49.0, 3.0)});
+    LeafSearch memory;
+    RememberedSearch search;
+    search.search(memory, BroadPhaseTree(tree), boxes);
+    ASSERT_EQ(search.leaves().size(), comes ? 0U : 1U);
+    tree.MoveProxy(moved, comes ? in : out, b2Vec2_zero);
+    EXPECT_FALSE(search.is_current(BroadPhaseTree(tree), boxes));
+  }
+}
+
 /// The old root is as it was.
 TEST(RememberedSearch, IsNotCurrentUnderANewRoot) {
   b2BroadPhase tree;
