@@ -105,7 +105,7 @@ TEST(ByCord, CordsOfAnIslandSaveTogetherWhatNoneSavesAlone) {
   EXPECT_EQ(small.least_work, 20.0 + 10.0 + 100.0);
   EXPECT_EQ(small.found->settings.own, (std::map<int, Setting>{{3, fast}}));  // it saves alone, and comes first
   EXPECT_EQ(small.found->outcome.work, 310.0);
-  four.max_error_m = 9e-3;
+  four.max_error_m = 1e-2;
   const CordSearchResult large = find_by_cord(four, outcome_of_island);
   ASSERT_TRUE(large.found);
   EXPECT_EQ(large.found->settings.own, (std::map<int, Setting>{{1, fast}, {2, fast}, {3, fast}}));
