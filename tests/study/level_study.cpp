@@ -356,16 +356,14 @@ WorkFigures figures_of(std::span<const std::int64_t> tick_work) {
   const std::vector<double> ticks(tick_work.begin(), tick_work.end());
   double sum = 0.0;
   for (const double work : ticks) sum += work;
-  return {sum / static_cast<double>(ticks.size()), tradeoff::quantile(ticks, 0.99), tradeoff::quantile(ticks, 1.0),
-          tradeoff::quantile(ticks, 0.5)};
+  return {sum / static_cast<double>(ticks.size()), tradeoff::quantile(ticks, 0.99), tradeoff::quantile(ticks, 1.0)};
 }
 
 WorkFigures largest_work(const Measured& measured) {
   const WorkFigures& own = measured.tick_work;
   const WorkFigures& others = measured.others.work;  // NaN without other players
   const auto larger = [](double a, double b) { return b > a ? b : a; };
-  return {larger(own.mean, others.mean), larger(own.p99, others.p99), larger(own.most, others.most),
-          larger(own.median, others.median)};
+  return {larger(own.mean, others.mean), larger(own.p99, others.p99), larger(own.most, others.most)};
 }
 
 std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {

@@ -25,7 +25,6 @@ struct WorkFigures {
   double mean = unavailable;
   double p99 = unavailable;
   double most = unavailable;
-  double median = unavailable;
 };
 
 /// Returns the figures of all ticks; NaN without ticks.

@@ -74,7 +74,7 @@ double usage_of(const Measured& m, const Point& point, const Limits& limits, con
   const WorkFigures work = largest_work(m);
   add(limits.max_error_m, point.error_m, usable_error_share);
   add(limits.median_us, m.cost_us, usable_budget_share);
-  if (work.median > m.tick_work.median) add(limits.median_us, calibration.us(work.median), usable_budget_share);
+  if (work.mean > m.tick_work.mean) add(limits.median_us, calibration.us(work.mean), usable_budget_share);
   add(limits.p99_us, calibration.us(work.p99), usable_budget_share);
   add(limits.most_us, calibration.us(work.most), usable_budget_share);
   add(limits.most_work, work.most, usable_budget_share);
@@ -123,7 +123,7 @@ Calibration calibrate(std::span<const Sample> samples) {
 Calibration calibrate(const Study& study) {
   std::vector<Sample> samples;
   for (const Measured& m : study.settings) {
-    if (m.cost_us > 0.0 && std::isfinite(m.tick_work.median)) samples.push_back({m.tick_work.median, m.cost_us});
+    if (m.cost_us > 0.0 && std::isfinite(m.tick_work.mean)) samples.push_back({m.tick_work.mean, m.cost_us});
   }
   return calibrate(samples);
 }

@@ -16,13 +16,11 @@ Measured setting(int substeps, double error_m, double us, WorkFigures work) {
   return m;
 }
 
-/// Three settings: a tick takes 5 us and 0.1 us per unit of work, of medians. Few ticks have most of the work of the
-/// first.
+/// Three settings: a tick takes 5 us and 0.1 us per unit of work.
 Study three() {
   Study study;
-  study.settings = {setting(1, 8e-3, 15.0, {300.0, 1000.0, 9000.0, 100.0}),
-                    setting(2, 4e-3, 25.0, {200.0, 400.0, 500.0, 200.0}),
-                    setting(4, 1e-3, 45.0, {400.0, 800.0, 1000.0, 400.0})};
+  study.settings = {setting(1, 8e-3, 15.0, {100.0, 1000.0, 9000.0}), setting(2, 4e-3, 25.0, {200.0, 400.0, 500.0}),
+                    setting(4, 1e-3, 45.0, {400.0, 800.0, 1000.0})};
   return study;
 }
 
@@ -117,7 +115,7 @@ TEST(Limits, AnotherPlayerNeedsItsWork) {
   Study study = three();
   const Calibration calibration = calibrate(study);
   const auto choice = [&](const Limits& limits) { return choose(study, limits, calibration).setting; };
-  study.settings[2].others.work = {900.0, 2000.0, 3000.0, 900.0};
+  study.settings[2].others.work = {900.0, 2000.0, 3000.0};
   EXPECT_EQ(choice({.median_us = 100.0}), 1U);  // it takes 95
   EXPECT_EQ(choice({.median_us = 130.0}), 2U);
   EXPECT_EQ(choice({.p99_us = 200.0}), 1U);  // it takes 205

@@ -42,7 +42,6 @@ void OtherPlayer::judge(const CordSettings& settings, WithOthers& results) const
   add(results.work.mean, work.mean);
   add(results.work.p99, work.p99);
   add(results.work.most, work.most);
-  add(results.work.median, work.median);
   if (!results.failure.empty()) return;
   results.failure = failure_of(trace, converged_, about_.ticks);
   if (results.failure.empty()) results.failure = in_windows.failure;

@@ -31,31 +31,30 @@ Errors errors_of(const Json& j) {
 }
 
 Json json_of(const Measured& m) {
-  return {
-      {"solver", m.setting.solver},
-      {"integrator", m.setting.integrator},
-      {"substeps", m.setting.substeps},
-      {"tolerance", m.setting.tolerance},
-      {"points", m.setting.points},
-      {"max_iterations", m.setting.iterations},
-      {"rows", m.setting.rows},
-      {"error", json_of(m.error)},
-      {"mesh", json_of(m.mesh)},
-      {"chaotic", m.chaotic.values},
-      {"windows", {m.windows.position_m, m.windows.player_m, m.windows.body_m, m.windows_resolution_m}},
-      {"tick_work", {m.tick_work.mean, m.tick_work.p99, m.tick_work.most, m.tick_work.median}},
-      {"others", {m.others.error_m, m.others.work.mean, m.others.work.p99, m.others.work.most, m.others.work.median}},
-      {"others_failure", m.others.failure},
-      {"resolution", m.resolution_m},
-      {"contacts", m.contacts},
-      {"work", m.work.work},
-      {"iterations", m.work.iterations},
-      {"stages", m.work.stages},
-      {"fallbacks", m.work.fallbacks},
-      {"halvings", m.work.halvings},
-      {"posed", m.work.posed},
-      {"unconverged_ticks", m.unconverged_ticks},
-      {"failure", m.failure}};
+  return {{"solver", m.setting.solver},
+          {"integrator", m.setting.integrator},
+          {"substeps", m.setting.substeps},
+          {"tolerance", m.setting.tolerance},
+          {"points", m.setting.points},
+          {"max_iterations", m.setting.iterations},
+          {"rows", m.setting.rows},
+          {"error", json_of(m.error)},
+          {"mesh", json_of(m.mesh)},
+          {"chaotic", m.chaotic.values},
+          {"windows", {m.windows.position_m, m.windows.player_m, m.windows.body_m, m.windows_resolution_m}},
+          {"tick_work", {m.tick_work.mean, m.tick_work.p99, m.tick_work.most}},
+          {"others", {m.others.error_m, m.others.work.mean, m.others.work.p99, m.others.work.most}},
+          {"others_failure", m.others.failure},
+          {"resolution", m.resolution_m},
+          {"contacts", m.contacts},
+          {"work", m.work.work},
+          {"iterations", m.work.iterations},
+          {"stages", m.work.stages},
+          {"fallbacks", m.work.fallbacks},
+          {"halvings", m.work.halvings},
+          {"posed", m.work.posed},
+          {"unconverged_ticks", m.unconverged_ticks},
+          {"failure", m.failure}};
 }
 
 Measured measured_of(const Json& j) {
@@ -70,9 +69,9 @@ Measured measured_of(const Json& j) {
   m.windows = {windows(0), windows(1), windows(2), {}};
   m.windows_resolution_m = windows(3);
   const auto work = [&j](std::size_t k) { return number_or_unavailable(j.at("tick_work").at(k)); };
-  m.tick_work = {work(0), work(1), work(2), work(3)};
+  m.tick_work = {work(0), work(1), work(2)};
   const auto others = [&j](std::size_t k) { return number_or_unavailable(j.at("others").at(k)); };
-  m.others = {others(0), {others(1), others(2), others(3), others(4)}, j.at("others_failure")};
+  m.others = {others(0), {others(1), others(2), others(3)}, j.at("others_failure")};
   m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");
   m.work.work = j.at("work");
