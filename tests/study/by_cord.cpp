@@ -9,44 +9,99 @@
 namespace study {
 namespace {
 
-/// A cord that alone may have a cheaper setting.
+/// What a cord alone may have: settings of the search from the cheapest one within the error on.
 struct Candidate {
   int cord = 0;
-  const Setting* setting = nullptr;
-  double work = 0.0;
+  std::size_t first = 0;  // index of the setting
+  double work = 0.0;      // of all cords
+};
+
+class Searcher {
+ public:
+  Searcher(const CordSearch& search, const std::function<Outcome(const CordSettings&)>& judge)
+      : search_(&search), judge_(&judge), best_{search.common, search.of_common, search.of_common.work} {}
+
+  CordSearchResult run() {
+    for (const int cord : search_->cords) find_alone(cord);
+    CordSearchResult result;
+    result.least_work = search_->of_common.work;
+    if (candidates_.empty()) return result;
+    ByCord all = best_;
+    for (const Candidate& candidate : candidates_) all.settings.own[candidate.cord] = search_->cheaper[candidate.first];
+    all.outcome = judged(all.settings);
+    result.least_work = all.outcome.failure.empty() ? all.outcome.work : unavailable;
+    if (is_within(all.outcome) && all.outcome.work < best_.outcome.work) {
+      best_ = std::move(all);
+    } else {
+      add_one_by_one();
+    }
+    drop_what_saves_nothing();
+    best_.tried = tried_;
+    if (best_.outcome.work < result.least_work) result.least_work = best_.outcome.work;
+    if (best_.outcome.work < search_->of_common.work) result.found = std::move(best_);
+    return result;
+  }
+
+ private:
+  Outcome judged(const CordSettings& settings) {
+    ++tried_;
+    return (*judge_)(settings);
+  }
+
+  bool is_within(const Outcome& outcome) const {
+    return outcome.failure.empty() && outcome.error_m <= search_->max_error_m;
+  }
+
+  void find_alone(int cord) {
+    for (std::size_t k = 0; k < search_->cheaper.size(); ++k) {
+      CordSettings alone = search_->common;
+      alone.own[cord] = search_->cheaper[k];
+      const Outcome outcome = judged(alone);
+      if (!is_within(outcome)) continue;
+      candidates_.push_back({cord, k, outcome.work});
+      return;
+    }
+  }
+
+  void add_one_by_one() {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.work < b.work; });
+    for (const Candidate& candidate : candidates_) {
+      for (std::size_t k = candidate.first; k < search_->cheaper.size(); ++k) {
+        CordSettings more = best_.settings;
+        more.own[candidate.cord] = search_->cheaper[k];
+        Outcome outcome = judged(more);
+        if (!is_within(outcome) || outcome.work > best_.outcome.work) continue;
+        best_.settings = std::move(more);
+        best_.outcome = std::move(outcome);
+        break;
+      }
+    }
+  }
+
+  /// A cord that shares its island with one of the common setting.
+  void drop_what_saves_nothing() {
+    for (const Candidate& candidate : candidates_) {
+      CordSettings fewer = best_.settings;
+      if (fewer.own.erase(candidate.cord) == 0) continue;
+      Outcome outcome = judged(fewer);
+      if (!is_within(outcome) || outcome.work > best_.outcome.work) continue;
+      best_.settings = std::move(fewer);
+      best_.outcome = std::move(outcome);
+    }
+  }
+
+  const CordSearch* search_;
+  const std::function<Outcome(const CordSettings&)>* judge_;
+  std::vector<Candidate> candidates_;  // a cord each
+  ByCord best_;
+  int tried_ = 0;
 };
 
 }  // namespace
 
-std::optional<ByCord> find_by_cord(const CordSearch& search, const std::function<Outcome(const CordSettings&)>& judge) {
-  ByCord found{search.common, search.of_common, search.of_common.work};
-  const auto saves = [&](const Outcome& outcome, double work) {
-    ++found.tried;
-    return outcome.failure.empty() && outcome.error_m <= search.max_error_m && outcome.work < work;
-  };
-  std::vector<Candidate> candidates;
-  for (const int cord : search.cords) {
-    for (const Setting& setting : search.cheaper) {
-      CordSettings alone = search.common;
-      alone.own[cord] = setting;
-      const Outcome outcome = judge(alone);
-      if (!saves(outcome, search.of_common.work)) continue;
-      candidates.push_back({cord, &setting, outcome.work});
-      break;
-    }
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.work < b.work; });
-  for (const Candidate& candidate : candidates) {
-    CordSettings more = found.settings;
-    more.own[candidate.cord] = *candidate.setting;
-    const Outcome outcome = judge(more);
-    if (!saves(outcome, found.outcome.work)) continue;
-    found.settings = std::move(more);
-    found.outcome = outcome;
-  }
-  if (found.settings.own.empty()) return std::nullopt;
-  return found;
+CordSearchResult find_by_cord(const CordSearch& search, const std::function<Outcome(const CordSettings&)>& judge) {
+  return Searcher(search, judge).run();
 }
 
 std::vector<int> cord_objects_of(const game::Level& level) {

@@ -8,6 +8,7 @@
 
 #include "game/simulation/level.h"
 #include "tests/study/setting.h"
+#include "tests/study/trace.h"
 
 namespace study {
 
@@ -37,10 +38,20 @@ struct CordSearch {
   Outcome of_common;
 };
 
-/// Finds a cheaper setting for single cords, without trying all products: first the cheapest one of each cord with
-/// which the common setting of all others is still within the error, then one cord after the other is given its own,
-/// the one that saves most first, as long as all of them together are within the error. None if nothing is saved.
-std::optional<ByCord> find_by_cord(const CordSearch& search, const std::function<Outcome(const CordSettings&)>& judge);
+/// What a search by cord finds.
+struct CordSearchResult {
+  std::optional<ByCord> found{};  ///< none if nothing is saved
+  /// The work of the run in which each cord has the cheapest setting that it alone may have; NaN if that run fails. An
+  /// assignment within the error needs as much, unless the errors of cords cancel. Cords of one island are solved with
+  /// the most accurate setting among them: the work of islands with a cord that needs one is in it.
+  double least_work = unavailable;
+};
+
+/// Finds cheaper settings for single cords, without trying all products: first the cheapest one of each cord with which
+/// the common setting of all others is still within the error; then all of these at once. If that is beyond the error,
+/// one cord after the other is given the cheapest one that the error still allows, the one that saves most first. (A
+/// cord that shares its island saves nothing alone, but the last of that island does.)
+CordSearchResult find_by_cord(const CordSearch& search, const std::function<Outcome(const CordSettings&)>& judge);
 
 /// Returns the ids of the objects of a level's cords of the direct solver; and the accuracies of the cords that are not
 /// those of the common setting.

@@ -52,8 +52,9 @@ TEST(ByCord, GivesEachCordTheCheapestThatTheErrorAllows) {
                        {{2, name_of(middle)}, {40.0, 4e-3}},
                        {{3, name_of(fast)}, {5.0, 6e-3}},
                        {{3, name_of(middle)}, {50.0, 1e-3}}};
-  const auto found =
+  const CordSearchResult result =
       find_by_cord(search(3), [&](const CordSettings& settings) { return outcome_of(cords, settings, 3); });
+  const std::optional<ByCord>& found = result.found;
   ASSERT_TRUE(found);
   EXPECT_EQ(found->settings.common, exact);
   ASSERT_EQ(found->settings.own.size(), 2U);
@@ -62,7 +63,53 @@ TEST(ByCord, GivesEachCordTheCheapestThatTheErrorAllows) {
   EXPECT_EQ(found->outcome.work, 115.0);
   EXPECT_EQ(found->outcome.error_m, 7e-3);
   EXPECT_EQ(found->common_work, 300.0);
-  EXPECT_EQ(found->tried, 7);  // of the 27 products
+  EXPECT_LE(found->tried, 12);                      // of the 27 products
+  EXPECT_EQ(result.least_work, 10.0 + 40.0 + 5.0);  // what each of them could have alone
+}
+
+TEST(ByCord, TakesAllAtOnceIfTheErrorAllowsIt) {
+  const Cords cords = {{{1, name_of(fast)}, {10.0, 3e-3}}, {{2, name_of(fast)}, {20.0, 5e-3}}};
+  const CordSearchResult result =
+      find_by_cord(search(2), [&](const CordSettings& settings) { return outcome_of(cords, settings, 2); });
+  ASSERT_TRUE(result.found);
+  EXPECT_EQ(result.found->outcome.work, 30.0);
+  EXPECT_EQ(result.least_work, 30.0);
+  EXPECT_EQ(result.found->tried, 5);  // each alone, both, and without each
+}
+
+/// Both cannot be fast, but the second one can have the next setting.
+TEST(ByCord, ACordThatCannotHaveItsCheapestHasTheNextOne) {
+  const Cords cords = {
+      {{1, name_of(fast)}, {10.0, 5e-3}}, {{2, name_of(fast)}, {20.0, 4e-3}}, {{2, name_of(middle)}, {60.0, 1e-3}}};
+  const CordSearchResult result =
+      find_by_cord(search(2), [&](const CordSettings& settings) { return outcome_of(cords, settings, 2); });
+  ASSERT_TRUE(result.found);
+  EXPECT_EQ(result.found->settings.own.at(1), fast);
+  EXPECT_EQ(result.found->settings.own.at(2), middle);
+  EXPECT_EQ(result.found->outcome.work, 70.0);
+}
+
+/// Returns the outcome where the first two of four cords are one island.
+Outcome outcome_of_island(const CordSettings& settings) {
+  const auto has = [&](int cord) { return settings.own.count(cord) > 0; };
+  Outcome outcome;
+  outcome.work = (has(1) && has(2) ? 20.0 : 200.0) + (has(3) ? 10.0 : 100.0) + (has(4) ? 10.0 : 100.0);
+  outcome.error_m = (has(1) && has(2) ? 5e-3 : 0.0) + (has(3) ? 4e-3 : 0.0) + (has(4) ? 7e-3 : 0.0);
+  return outcome;
+}
+
+TEST(ByCord, CordsOfAnIslandSaveTogetherWhatNoneSavesAlone) {
+  CordSearch four = search(4);
+  const CordSearchResult small = find_by_cord(four, outcome_of_island);
+  ASSERT_TRUE(small.found);
+  EXPECT_EQ(small.least_work, 20.0 + 10.0 + 10.0);
+  EXPECT_EQ(small.found->settings.own, (std::map<int, Setting>{{3, fast}}));  // it saves alone, and comes first
+  EXPECT_EQ(small.found->outcome.work, 310.0);
+  four.max_error_m = 1e-2;
+  const CordSearchResult large = find_by_cord(four, outcome_of_island);
+  ASSERT_TRUE(large.found);
+  EXPECT_EQ(large.found->settings.own, (std::map<int, Setting>{{1, fast}, {2, fast}, {3, fast}}));
+  EXPECT_EQ(large.found->outcome.work, 20.0 + 10.0 + 100.0);
 }
 
 TEST(ByCord, ACordThatFailsOrSavesNothingKeepsTheCommonSetting) {
@@ -72,7 +119,9 @@ TEST(ByCord, ACordThatFailsOrSavesNothingKeepsTheCommonSetting) {
     if (settings.own.count(1) > 0) outcome.work = 50.0;
     return outcome;
   };
-  EXPECT_FALSE(find_by_cord(search(2), judge));
+  const CordSearchResult result = find_by_cord(search(2), judge);
+  EXPECT_FALSE(result.found);
+  EXPECT_EQ(result.least_work, 200.0);
 }
 
 Measured measured(const Setting& setting, double error_m, double work) {
@@ -105,6 +154,10 @@ TEST(ByCord, StartsFromTheCommonSettingWithTheLeastWork) {
   EXPECT_EQ(bound.common, name_of(middle));
   EXPECT_EQ(bound.common_work, 300.0);
   EXPECT_EQ(bound.most_gain, 300.0 / bound.least_work);
+  study.least_work_by_cord = 150.0;
+  EXPECT_EQ(bound_of(study, 8e-3, 2).most_gain, 2.0);  // by what the search has found
+  study.least_work_by_cord = 50.0;
+  EXPECT_EQ(bound_of(study, 8e-3, 2).most_gain, bound.most_gain);
   EXPECT_EQ(bound_of(study, 8e-3, 1).most_gain, 1.0);
   EXPECT_EQ(bound_of(study, 3e-2, 2).most_gain, 1.0);
   EXPECT_TRUE(std::isnan(bound_of(study, 5e-5, 2).most_gain));

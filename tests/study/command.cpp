@@ -198,8 +198,9 @@ void print_bound(const std::string& level, std::size_t cords, const CordBound& b
                  const std::optional<ByCord>& found) {
   const auto known = [](double value, int decimals) { return std::isnan(value) ? "-" : fixed(value, decimals); };
   std::printf("%-20s %5zu  %-38s %10s %10s %8s %8s\n", level.c_str(), cords,
-              bound.common.empty() ? "none" : bound.common.c_str(), known(bound.common_work, 0).c_str(),
-              known(bound.least_work, 0).c_str(), known(bound.most_gain, 2).c_str(),
+              bound.common.empty() ? (cords < 2 ? "-" : "none") : bound.common.c_str(),
+              known(bound.common_work, 0).c_str(), known(bound.least_work, 0).c_str(),
+              known(bound.most_gain, 2).c_str(),
               found ? fixed(found->common_work / found->outcome.work, 2).c_str() : "-");
   std::fflush(stdout);
 }
@@ -220,11 +221,15 @@ int print_by_cord(const Command& command) {
   for (std::size_t k = 0; k < levels.size(); ++k) {
     if (!command.shard.has(k, levels.size())) continue;
     const LevelFile& level = levels[k];
+    const std::size_t cords = cord_objects_of(level.level()).size();
+    if (cords < 2) {  // there is nothing to choose
+      print_bound(level.level().name, cords, {{}, unavailable, unavailable, 1.0}, std::nullopt);
+      continue;
+    }
     options.others = players_that_meet_cords(level.level(), 0, judging_players);
     options.by_cord_progress = [](double share) { show_progress("by cord", share); };
     options.progress = [](double share, double left) { show_progress("study", share, left); };
     const Study study = measure(level, replay_of(command, level), options);
-    const std::size_t cords = cord_objects_of(level.level()).size();
     print_bound(level.level().name, cords, bound_of(study, usable_error_share * error, cords), study.by_cord);
   }
   return 0;

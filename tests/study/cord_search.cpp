@@ -32,6 +32,7 @@ CordBound bound_of(const Study& study, double max_error_m, std::size_t cords) {
     if (points[k].error_m > max_error_m) continue;
     bound.common = name_of(m.setting);
     bound.common_work = m.tick_work.mean;
+    if (study.least_work_by_cord > bound.least_work) bound.least_work = study.least_work_by_cord;
     bound.most_gain = cords < 2 ? 1.0 : bound.common_work / bound.least_work;
     break;
   }

@@ -17,12 +17,14 @@ std::optional<CordSearch> search_of(const Study& study, double max_error_m, std:
 struct CordBound {
   std::string common{};              ///< the common setting that a search starts from; empty: none is within the error
   double common_work = unavailable;  ///< mean over the ticks
-  double least_work = unavailable;   ///< of the cheapest setting that does not fail, whatever its error
+  /// That no assignment is below: CordSearchResult::least_work if there was a search, but at least that of the cheapest
+  /// setting for all that does not fail, whatever its error.
+  double least_work = unavailable;
   /// How many times less work than the common setting: 1 with fewer than two cords; NaN without a common setting.
   double most_gain = unavailable;
 };
 
-/// Returns the bound for an error [m]: no cord can be solved with less work than with the cheapest setting of all.
+/// Returns the bound for an error [m].
 CordBound bound_of(const Study& study, double max_error_m, std::size_t cords);
 
 /// Returns the least work of a setting within the error [m], the present one too; infinity without one.

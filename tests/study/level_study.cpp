@@ -21,7 +21,6 @@
 
 namespace study {
 
-using ribbon::study::probe_kick;
 using ribbon::study::resolution_per_agreement;
 
 namespace {
@@ -122,7 +121,7 @@ class LevelStudy {
       progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);
-    if (study.complete && options_->by_cord_error_m) study.by_cord = find_by_cord(study, windows);
+    if (study.complete && options_->by_cord_error_m) find_by_cord(study, windows);
     study.complete = study.complete && !stopped();
     return study;
   }
@@ -193,14 +192,17 @@ class LevelStudy {
     return runs;
   }
 
-  /// The same with a kick at the start (see PartSetting).
-  Trace kicked_run(const Setting& setting, double kick) {
-    const std::string name = name_of(setting) + (kick < 0.0 ? " left" : " right");
-    if (std::optional<Trace> known = results_->run(name)) return *known;
-    ++runs_;
-    Trace trace = study::kicked_run(file_->with(setting), inputs_, kick);
-    results_->add_run(name, trace);
-    return trace;
+  /// The same for probes (see run_probes).
+  std::pair<Trace, Trace> probes(const Setting& moderate) {
+    const std::string left = name_of(moderate) + " left", right = name_of(moderate) + " right";
+    std::optional<Trace> known_left = results_->run(left);
+    std::optional<Trace> known_right = results_->run(right);
+    if (known_left && known_right) return {std::move(*known_left), std::move(*known_right)};
+    runs_ += 2;
+    std::pair<Trace, Trace> runs = run_probes(file_->with(moderate), inputs_);
+    results_->add_run(left, runs.first);
+    results_->add_run(right, runs.second);
+    return runs;
   }
 
   /// Throws engine::MapError if there is nothing to study.
@@ -223,8 +225,7 @@ class LevelStudy {
     const Setting second = reference(mesh, true, options_->quick);
     if (stopped()) return false;
     const Setting moderate = probe(mesh);
-    const Trace left = kicked_run(moderate, -probe_kick);
-    const Trace right = kicked_run(moderate, probe_kick);
+    const auto [left, right] = probes(moderate);
     progress_.add(2.0 * work_of(moderate));
     if (stopped()) return false;
     const AccuracyChange change = end_of_reference(mesh, left, right);
@@ -300,14 +301,14 @@ class LevelStudy {
   }
 
   /// Without several cords, or where the cheapest setting for all saves little, there is nothing to find.
-  std::optional<ByCord> find_by_cord(const Study& study, const Windows& windows) {
+  void find_by_cord(Study& study, const Windows& windows) {
     const game::Level level = file_->level();
     const double error = usable_error_share * *options_->by_cord_error_m;
     const std::optional<CordSearch> search = search_of(study, error, cord_objects_of(level));
-    if (!search) return std::nullopt;
-    const std::size_t most = search->cords.size() * (search->cheaper.size() + 1);
+    if (!search) return;
+    const std::size_t most = search->cords.size() * (2 * search->cheaper.size() + 1) + 1;
     std::size_t tried = 0;
-    std::optional<ByCord> found = study::find_by_cord(*search, [&](const CordSettings& settings) {
+    const CordSearchResult result = study::find_by_cord(*search, [&](const CordSettings& settings) {
       if (stopped()) return Outcome{0.0, 0.0, "interrupted"};
       Outcome outcome = judge(settings, windows, accuracies_of(level, settings));
       if (options_->by_cord_progress)
@@ -315,8 +316,8 @@ class LevelStudy {
       return outcome;
     });
     if (options_->by_cord_progress) options_->by_cord_progress(1.0);
-    if (found && found->outcome.work >= least_work_within(study, error)) found.reset();
-    return found;
+    study.least_work_by_cord = result.least_work;
+    if (result.found && result.found->outcome.work < least_work_within(study, error)) study.by_cord = result.found;
   }
 
   Outcome judge(const CordSettings& settings, const Windows& windows, const Windows::CordAccuracies& by_cord) {

@@ -70,14 +70,15 @@ struct Study {
   double compared_cords = 0.0;    ///< share of the windows' ticks in which cords are compared
   double compared_players = 0.0;  ///< share of the windows' ticks in which players are compared
   std::vector<Measured> settings;
-  int runs = 0;                       ///< number of runs for errors, without those that were saved in the folder
-  std::string no_chains_reason;       ///< why chains of Box2D are missing; empty if they are present
-  Stage stage;                        ///< of the films, if the options ask for them
-  std::string converged_film;         ///< of the level's own points and rows
-  std::vector<Film> films;            ///< by setting; empty ones for other points and rows
-  std::optional<ByCord> by_cord;      ///< if the options ask for it, and it is cheaper than one setting for all cords
-  std::vector<std::string> left_out;  ///< a sentence for each other setting that the level cannot have
-  bool complete = false;              ///< false if it was interrupted
+  int runs = 0;                   ///< number of runs for errors, without those that were saved in the folder
+  std::string no_chains_reason;   ///< why chains of Box2D are missing; empty if they are present
+  Stage stage;                    ///< of the films, if the options ask for them
+  std::string converged_film;     ///< of the level's own points and rows
+  std::vector<Film> films;        ///< by setting; empty ones for other points and rows
+  std::optional<ByCord> by_cord;  ///< if the options ask for it, and it is cheaper than one setting for all cords
+  double least_work_by_cord = unavailable;  ///< CordSearchResult::least_work of the search; NaN without one
+  std::vector<std::string> left_out;        ///< a sentence for each other setting that the level cannot have
+  bool complete = false;                    ///< false if it was interrupted
 
   std::vector<Point> points() const;
 };

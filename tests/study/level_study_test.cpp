@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -184,12 +185,21 @@ TEST_F(LevelStudy, AnInterruptedStudyContinues) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), grid(true).size() + 1);
 }
 
+TEST(WorkFigures, AreThoseOfTheTicks) {
+  const std::array<std::int64_t, 5> ticks = {1, 2, 3, 4, 90};
+  const WorkFigures figures = figures_of(ticks);
+  EXPECT_EQ(figures.mean, 20.0);
+  EXPECT_EQ(figures.most, 90.0);
+}
+
 TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   Measured measured;
   measured.error = {1.0, 2.0, 3.0, 4.0, unavailable, 6.0, 7.0, 8.0};
   measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, unavailable, 18.0};
   measured.chaotic.values = {21.0, 22.0, unavailable, 24.0, 25.0, 26.0};
   measured.resolution_m = 0.1;
+  measured.tick_work = {41.0, 42.0, 43.0};
+  measured.others.work = {51.0, 52.0, 53.0};
   measured.work.work = 12345;
   measured.work.posed = 6;
   measured.unconverged_ticks = 31;
@@ -199,6 +209,8 @@ TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   const Results again(home + "/saved", 1, replay_path, false);
   ASSERT_NE(again.find({}), nullptr);
   expect_the_same(*again.find({}), measured);
+  EXPECT_EQ(again.find({})->tick_work.most, 43.0);
+  EXPECT_EQ(again.find({})->others.work.most, 53.0);
   EXPECT_EQ(Results(home + "/saved", 1, replay_path, true).find({}), nullptr);  // another grid's reference
   EXPECT_EQ(Results(home + "/saved", 2, replay_path, false).find({}), nullptr);
 }

@@ -19,11 +19,10 @@ OtherPlayer::OtherPlayer(const LevelFile& file, Inputs inputs, const StudyOption
       inputs_(std::move(inputs)),
       windows_(level_, inputs_, accuracy_of(reference({}, false, options.quick)),
                accuracy_of(reference({}, true, options.quick)), windows) {
-  const Trace left = kicked_run(file.with(probe({})), inputs_, -ribbon::study::probe_kick);
-  const Trace right = kicked_run(file.with(probe({})), inputs_, ribbon::study::probe_kick);
+  const auto [left, right] = run_probes(file.with(probe({})), inputs_);
   auto [other, converged] =
       run_converged(file.with(reference({}, false, options.quick)), file.with(reference({}, true, options.quick)),
-                    inputs_, end_of_reference({}, left, right));
+                    inputs_, end_of_reference({}, left, right), GoesOn::second);
   converged_ = std::move(converged);
   about_ = reference_of({}, {converged_, other, left, right});
 }

@@ -111,12 +111,12 @@ function legend() {
     const dot = document.createElement('span');
     dot.style.color = colors[m % colors.length];
     dot.textContent = '● ';
-    line.append(dot, method + '   ');
+    line.append(dot, method + ' · ');
   });
-  line.append('line: front' + (data.recommended === null ? '' : '   ○ recommended') +
-              (data.present === null ? '' : '   □ present setting') +
-              (data.points.some(p => p.failure) ? '   × failed' : '') +
-              (data.points.some(p => !p.compared) ? '   small: another motion' : ''));
+  line.append('line: front' + (data.recommended === null ? '' : ' · ○ recommended') +
+              (data.present === null ? '' : ' · □ present setting') +
+              (data.points.some(p => p.failure) ? ' · × failed' : '') +
+              (data.points.some(p => !p.compared) ? ' · small: another motion' : ''));
   return line;
 }
 

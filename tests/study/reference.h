@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -30,11 +31,22 @@ struct ReferenceRuns {
 };
 Reference reference_of(const Mesh& mesh, const ReferenceRuns& runs);
 
+/// Runs a moderate setting twice side by side, with velocities that differ by twice probe_kick, until they differ by
+/// more than max_probe_difference: what comes later is not compared. Returns the one to the left and the one to the
+/// right.
+std::pair<Trace, Trace> run_probes(const game::Level& moderate, std::span<const engine::TickInput> inputs);
+
+/// Which of two converged runs goes on where nothing is compared.
+enum class GoesOn {
+  both,   ///< for statistics
+  second  ///< for what goes through what
+};
+
 /// Runs two converged motions side by side, and from the tick after that in which they differ by more than
 /// max_reference_difference on, or from `change` on, with the accuracy of `change`: nothing is compared there, and
 /// where converged runs part they are most expensive. Returns the records of the first and the second.
 std::pair<Trace, Trace> run_converged(const game::Level& first, const game::Level& second, const Inputs& inputs,
-                                      const AccuracyChange& change);
+                                      const AccuracyChange& change, GoesOn goes_on = GoesOn::both);
 
 /// Returns where converged runs take the probe's setting: after the ticks in which the probes agree. From there on no
 /// path is compared, only statistics, and what goes through what.

@@ -7,6 +7,7 @@
 
 #include "engine/replay/replay.h"
 #include "ribbon/study/conditions.h"
+#include "tests/study/reference.h"
 #include "tests/study/text.h"
 #include "tests/support/contact_figures.h"
 #include "tests/tradeoff/measure.h"
@@ -183,9 +184,8 @@ bool pushes(const ribbon::Cord& cord, double gravity) {
 }
 
 std::size_t comparable_ticks(const LevelFile& file, std::span<const engine::TickInput> inputs) {
-  const game::Level moderate = file.with(probe({}));
-  return agreeing_ticks(kicked_run(moderate, inputs, -ribbon::study::probe_kick),
-                        kicked_run(moderate, inputs, ribbon::study::probe_kick), ribbon::study::max_probe_difference);
+  const auto [left, right] = run_probes(file.with(probe({})), inputs);
+  return agreeing_ticks(left, right, ribbon::study::max_probe_difference);
 }
 
 Terms try_terms(const LevelFile& file, const std::string& replay_path, const std::function<void(double)>& progress) {

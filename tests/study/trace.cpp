@@ -212,6 +212,11 @@ const Trace& RecordedRun::trace() const { return parts_->recorder->trace(); }
 
 Trace RecordedRun::take_trace() { return std::move(parts_->recorder->trace()); }
 
+void RecordedRun::kick(double speed) {
+  engine::Scene& now = parts_->run.simulation().scene();
+  ribbon::study::kick(now.world(), now.coupling(), speed);
+}
+
 void RecordedRun::tick(const ribbon::Accuracy* accuracy) {
   if (has_ended()) return;
   LevelRun& run = parts_->run;
@@ -243,7 +248,7 @@ StartedRun::StartedRun(const game::Level& level, std::span<const engine::TickInp
   }
 }
 
-Trace StartedRun::finish(std::size_t ticks, const PartSetting& setting) {
+Trace StartedRun::finish(std::size_t ticks, const PartSetting& setting, const Ends& ends) {
   const Method own;
   engine::Scene& scene = run_.simulation().scene();
   Recorder recorder(scene, own);
@@ -253,17 +258,13 @@ Trace StartedRun::finish(std::size_t ticks, const PartSetting& setting) {
     run_.tick();
     recorder.add(run_.simulation());
     recorder.trace().failure = blow_up_of(recorder.trace(), k + 1);
-    if (!recorder.trace().failure.empty()) break;
+    if (!recorder.trace().failure.empty() || (ends && ends(recorder.trace()))) break;
   }
   return std::move(recorder.trace());
 }
 
 Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part) {
   return StartedRun(level, inputs, part.begin, part.lead_in).finish(part.ticks, part.setting);
-}
-
-Trace kicked_run(const game::Level& level, std::span<const engine::TickInput> inputs, double kick) {
-  return StartedRun(level, inputs, 0).finish(inputs.size(), {std::nullopt, kick});
 }
 
 }  // namespace study

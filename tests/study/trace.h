@@ -110,6 +110,8 @@ class RecordedRun {
   RecordedRun& operator=(const RecordedRun&) = delete;
   ~RecordedRun();
 
+  /// Adds to the horizontal velocity [m/s] of all points and dynamic bodies.
+  void kick(double speed);
   /// Runs the next tick, if there is one, with an accuracy of all cords of the direct solver; none: the level's own.
   void tick(const ribbon::Accuracy* accuracy);
   bool has_ended() const;
@@ -141,9 +143,11 @@ class StartedRun {
   StartedRun(const game::Level& level, std::span<const engine::TickInput> inputs, std::size_t begin,
              std::size_t lead_in = 0);
 
-  /// Runs up to `ticks` more ticks, or until a position is as in `run`. A line has the level's own setting in the tick
-  /// in which it arrives.
-  Trace finish(std::size_t ticks, const PartSetting& setting);
+  /// Returns whether a run ends with the last tick of its record.
+  using Ends = std::function<bool(const Trace&)>;
+  /// Runs up to `ticks` more ticks, or until a position is as in `run`, or until it `ends`; without it not before. A
+  /// line has the level's own setting in the tick in which it arrives.
+  Trace finish(std::size_t ticks, const PartSetting& setting, const Ends& ends = {});
 
  private:
   LevelRun run_;
@@ -160,8 +164,5 @@ struct Part {
   PartSetting setting{};
 };
 Trace run_part(const game::Level& level, std::span<const engine::TickInput> inputs, const Part& part);
-
-/// Runs all inputs with a kick at the start (see PartSetting).
-Trace kicked_run(const game::Level& level, std::span<const engine::TickInput> inputs, double kick);
 
 }  // namespace study

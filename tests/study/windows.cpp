@@ -83,25 +83,40 @@ Windows::Windows(const game::Level& level, std::span<const engine::TickInput> in
       pooled([&](const Window& window) { return others[static_cast<std::size_t>(&window - windows_.data())]; });
 }
 
-/// Where probes differ nothing is compared, so that the references, which are expensive, end there.
+/// Where probes or references differ nothing is compared, so that the second of them ends there: the references are
+/// expensive.
 Trace Windows::set_reference(Window& window, const ribbon::Accuracy& fine, const ribbon::Accuracy& finer) {
+  const auto ends = [&window](const Trace& first, double most) {
+    return [&window, &first, most](const Trace& second) {
+      const std::size_t ticks = second.places.size();
+      const auto is_decided = [ticks](std::size_t compared, std::size_t agreeing) {
+        return compared <= ticks || agreeing < ticks;
+      };
+      return is_decided(window.cords, agreeing_cord_ticks(first, second, most)) &&
+             is_decided(window.player, agreeing_player_ticks(first, second, most)) &&
+             is_decided(window.bodies, agreeing_body_ticks(first, second, most));
+    };
+  };
+  window.cords = window.player = window.bodies = window.size;
   const ribbon::Accuracy moderate = accuracy_of(probe({}));
   const Trace left = window.run(window.size, {moderate, -probe_kick});
-  const Trace right = window.run(window.size, {moderate, probe_kick});
-  window.cords = agreeing_cord_ticks(left, right, max_probe_difference);
-  window.player = agreeing_player_ticks(left, right, max_probe_difference);
-  window.bodies = agreeing_body_ticks(left, right, max_probe_difference);
+  window.limit(left, window.run(window.size, {moderate, probe_kick}, ends(left, max_probe_difference)),
+               max_probe_difference);
   if (window.longest() == 0) return {};
-  window.reference = window.run(window.longest(), {finer});
   Trace other = window.run(window.longest(), {fine});
-  window.cords = std::min(window.cords, agreeing_cord_ticks(other, window.reference, max_reference_difference));
-  window.player = std::min(window.player, agreeing_player_ticks(other, window.reference, max_reference_difference));
-  window.bodies = std::min(window.bodies, agreeing_body_ticks(other, window.reference, max_reference_difference));
+  window.reference = window.run(window.longest(), {finer}, ends(other, max_reference_difference));
+  window.limit(other, window.reference, max_reference_difference);
   return other;
 }
 
-Trace Windows::Window::run(std::size_t count, const PartSetting& setting) const {
-  return run_in_copy([&] { return start->finish(count, setting); });
+Trace Windows::Window::run(std::size_t count, const PartSetting& setting, const StartedRun::Ends& ends) const {
+  return run_in_copy([&] { return start->finish(count, setting, ends); });
+}
+
+void Windows::Window::limit(const Trace& a, const Trace& b, double most) {
+  cords = std::min(cords, agreeing_cord_ticks(a, b, most));
+  player = std::min(player, agreeing_player_ticks(a, b, most));
+  bodies = std::min(bodies, agreeing_body_ticks(a, b, most));
 }
 
 WindowErrors Windows::errors(const std::optional<ribbon::Accuracy>& accuracy, const CordAccuracies& by_cord) const {

@@ -59,7 +59,9 @@ class Windows {
     std::size_t player = 0;             // number of ticks in which players are compared
     std::size_t bodies = 0;             // number of ticks in which bodies are compared
     std::size_t longest() const { return std::max({cords, player, bodies}); }
-    Trace run(std::size_t count, const PartSetting& setting) const;
+    Trace run(std::size_t count, const PartSetting& setting, const StartedRun::Ends& ends = {}) const;
+    /// Compares no more than the ticks in which two runs differ by at most `most` [m].
+    void limit(const Trace& a, const Trace& b, double most);
   };
   /// Sets the reference and what is compared, and returns the other reference.
   static Trace set_reference(Window& window, const ribbon::Accuracy& fine, const ribbon::Accuracy& finer);

@@ -62,6 +62,13 @@ TEST(Windows, ARunFromATickStartsInTheStateOfTheLevel) {
   EXPECT_NE(other.places.front(), whole.places[25]);
 }
 
+TEST(Windows, ARunEndsWhereItIsTold) {
+  const game::Level level = game::load_level("first_swing");
+  const std::vector<engine::TickInput> inputs(40);
+  const Trace trace = StartedRun(level, inputs, 5).finish(20, {}, [](const Trace& t) { return t.places.size() == 7; });
+  EXPECT_EQ(trace.places.size(), 7U);
+}
+
 /// The cord falls freely for the first ticks.
 TEST_F(LevelStudy, AKickChangesAllVelocities) {
   leave_a_loose_cord();
