@@ -9,15 +9,12 @@
 
 #include "engine/draw/arcs.h"
 #include "engine/draw/line_profile.h"
+#include "engine/draw/mesh_limits.h"
 
 namespace engine {
 namespace {
 
 using ribbon::Vec2;
-
-constexpr double max_coordinate = 1e12;   // px; above it doubles do not resolve a pixel
-constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
-constexpr double merge_distance = 0.01;   // px; points closer than this are merged
 
 bool drawable(double x) { return std::abs(x) <= max_coordinate; }  // false for NaN
 bool drawable(Vec2 p) { return drawable(p.x) && drawable(p.y); }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/cut.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/error_probe.h"
@@ -76,7 +77,7 @@ TEST(CordInMedium, BuoyancyIsSmoothAcrossTheSurface) {
     const Weather medium(sea);
     InMedium held{Cord(def), medium};
     held.step(2);
-    const double force = held.cord.reaction(0, gravity).y;
+    const double force = ribbon::reaction(held.cord, 0, gravity).y;
     const double full = 0.02 * 1000.0 * def.displaced_area * g;  // of 2 cm more under water
     EXPECT_LE(force, before + 1e-9);
     EXPECT_GE(force, before - 1.5 * full) << level;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/cut.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/error_probe.h"
@@ -157,7 +158,7 @@ TEST(CordInMedium, ThePinCarriesTheDrag) {
   for (const Vec2 force : state.medium_forces) sum += force;
   EXPECT_GT(sum.x, 0.1);
   const double weight = def.mass_per_length * def.length * g;
-  const Vec2 reaction = line.cord.reaction(0, gravity);
+  const Vec2 reaction = ribbon::reaction(line.cord, 0, gravity);
   EXPECT_NEAR(reaction.x, -sum.x, 1e-6 * sum.x);
   EXPECT_NEAR(reaction.y, weight - sum.y, 1e-6 * weight);
 }

@@ -147,7 +147,7 @@ TEST(Pulley, KeepsACordThatBendsAway) {
   Machine machine((Atwood()));
   machine.wall.position = {};
   machine.cord = Cord(def);
-  machine.cord.add_pulley(reeved.pulleys[0]);
+  add_pulley(machine.cord, reeved.pulleys[0]);
   const auto move_ends = [&](double y) {
     const double from = machine.cord.positions()[0].y;
     for (int k = 1; k <= 120; ++k) {
@@ -215,7 +215,7 @@ TEST(Pulley, LiftsALoadWithADrum) {
   atwood.wheel.turns = 2;
   atwood.wheel.motor_torque = unlimited;
   Machine machine(atwood);
-  machine.cord.set_motor(0, 2.0, unlimited);
+  set_motor(machine.cord, 0, 2.0, unlimited);
   machine.step(240);
   EXPECT_NEAR(machine.fall(), -0.2 * 2.0 * (4.0 - 0.5), 0.4);
   EXPECT_NEAR(-machine.cord.velocities().back().y, -0.4, 1e-3);
@@ -227,7 +227,7 @@ TEST(Pulley, TurnsWithTheTorqueOfItsMotor) {
   Atwood atwood;
   atwood.right = 10.0;
   Machine machine(atwood);
-  machine.cord.set_motor(0, -5.0, 3.0);
+  set_motor(machine.cord, 0, -5.0, 3.0);
   machine.step(60);
   const double mass = 20.0 + 0.5 / 0.04;
   EXPECT_NEAR(machine.pulley().speed / (3.0 / 0.2 / mass), 1.0, 2e-3);
@@ -237,11 +237,11 @@ TEST(Pulley, TurnsWithTheTorqueOfItsMotor) {
 
 TEST(Pulley, IsHeldByABrakeUpToItsTorque) {
   Machine held((Atwood()));
-  held.cord.set_motor(0, 0.0, 1.02 * 2.0 * g * 0.2);
+  set_motor(held.cord, 0, 0.0, 1.02 * 2.0 * g * 0.2);
   held.step(60);
   EXPECT_LT(std::abs(held.fall()), 1e-6);
   Machine overhauled((Atwood()));
-  overhauled.cord.set_motor(0, 0.0, 0.5 * 2.0 * g * 0.2);
+  set_motor(overhauled.cord, 0, 0.0, 0.5 * 2.0 * g * 0.2);
   overhauled.step(60);
   EXPECT_NEAR(overhauled.pulley().speed / (0.5 * acceleration(overhauled.atwood)), 1.0, 2e-3);
 }
@@ -262,7 +262,7 @@ TEST(Pulley, IsStableAtTheExtremes) {
         machine.cord = Cord(def);
         machine.cord.attach_mass(0, 1.0);
         machine.cord.attach_mass(atwood.points - 1, ratio);
-        machine.cord.add_pulley(reeved.pulleys[0]);
+        add_pulley(machine.cord, reeved.pulleys[0]);
         machine.step(240);
         for (const Vec2 x : machine.cord.positions()) {
           ASSERT_TRUE(is_finite(x));
@@ -317,7 +317,7 @@ TEST(Pulley, TouchesNothingOnTheWheel) {
   machine.cord = Cord(def);
   machine.cord.attach_mass(0, 10.0);
   machine.cord.attach_mass(120, 12.0);
-  machine.cord.add_pulley(reeved.pulleys[0]);
+  add_pulley(machine.cord, reeved.pulleys[0]);
   const RigidCircle rim{0, {}, 0.19, 0.5, 0.0, 1};
   const Axle axle{0, {}};
   Surroundings surroundings;
@@ -352,7 +352,7 @@ TEST(Pulley, GoesToThePieceThatHasIt) {
 TEST(Pulley, FallsWhenTheCordIsTakenOff) {
   Machine machine(Atwood{});
   machine.step(10);
-  machine.cord.remove_pulley(0);
+  remove_pulley(machine.cord, 0);
   machine.step(60);
   EXPECT_LT(machine.cord.positions()[30].y, 3.0);
 }
@@ -360,28 +360,28 @@ TEST(Pulley, FallsWhenTheCordIsTakenOff) {
 TEST(Pulley, RefusesWhatIsOutOfRange) {
   Cord cord(hanging(21, 4.0));
   EXPECT_EQ(refusal<std::exception>([&] {
-              cord.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 25});
+              add_pulley(cord, {.center = {0.1, -2.0}, .before = 9, .after = 25});
             }),
             "after is 25; accepted is 10 to 20");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .radius = -1.0}); }),
+  EXPECT_EQ(refusal<std::exception>([&] { add_pulley(cord, {.center = {}, .radius = -1.0}); }),
             "radius is -1; accepted is 1e-06 to 1e+06");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .friction = 11.0}); }),
+  EXPECT_EQ(refusal<std::exception>([&] { add_pulley(cord, {.center = {}, .friction = 11.0}); }),
             "friction of a groove is 11; accepted is 0 to 10");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .motor_torque = -1.0}); }),
+  EXPECT_EQ(refusal<std::exception>([&] { add_pulley(cord, {.center = {}, .motor_torque = -1.0}); }),
             "motor_torque is -1; accepted is 0 up to infinity");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.remove_pulley(0); }), "pulley is 0; the cord has none");
+  EXPECT_EQ(refusal<std::exception>([&] { remove_pulley(cord, 0); }), "pulley is 0; the cord has none");
   const std::string misfit = refusal<std::exception>([&] {
-    cord.add_pulley({.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12});
+    add_pulley(cord, {.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12});
   });
   EXPECT_NE(misfit.find("does not fit a path of"), std::string::npos) << misfit;
   EXPECT_TRUE(cord.pulleys().empty());
   Machine machine(Atwood{});
   EXPECT_NE(
-      refusal<std::exception>([&] { machine.cord.add_pulley(machine.pulley().def); }).find("are on another wheel"),
+      refusal<std::exception>([&] { add_pulley(machine.cord, machine.pulley().def); }).find("are on another wheel"),
       std::string::npos);
   EXPECT_EQ(refusal<std::exception>([&] { machine.cord.step(dt, gravity); }),
             "axles are 0; accepted is one for each of the 1 pulleys of the cord");
-  EXPECT_EQ(refusal<std::exception>([&] { machine.cord.set_motor(0, 1e7, 1.0); }),
+  EXPECT_EQ(refusal<std::exception>([&] { set_motor(machine.cord, 0, 1e7, 1.0); }),
             "motor_speed is 1e+07; accepted is -1e+06 to 1e+06");
 }
 
@@ -390,7 +390,7 @@ TEST(Pulley, IsNotForRibbonsAndStiffRopes) {
   def.bending_stiffness = 0.1;
   Cord stiff(def);
   EXPECT_EQ(refusal<std::exception>([&] {
-              stiff.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 12});
+              add_pulley(stiff, {.center = {0.1, -2.0}, .before = 9, .after = 12});
             }),
             "a ribbon or a stiff cord has no pulley; accepted is a rope without bending stiffness");
 }

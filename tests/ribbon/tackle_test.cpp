@@ -31,7 +31,7 @@ struct Tackle {
   Tackle(const CordDef& def, double hand_mass, double load) : cord(def) {
     cord.attach_mass(0, hand_mass);
     const ReevedCord reeved = test_support::reeve_tackle(points);
-    for (const PulleyDef& pulley : reeved.pulleys) cord.add_pulley(pulley);
+    for (const PulleyDef& pulley : reeved.pulleys) add_pulley(cord, pulley);
     blocks[0].position = test_support::fixed_block;
     blocks[1].position = test_support::moving_block;
     blocks[1].inverse_mass = 1.0 / load;

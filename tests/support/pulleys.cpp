@@ -1,4 +1,5 @@
 #include "tests/support/pulleys.h"
+#include "ribbon/pulley.h"
 
 namespace test_support {
 
@@ -23,7 +24,7 @@ Cord Atwood::cord() const {
   Cord cord(def);
   cord.attach_mass(0, left);
   cord.attach_mass(points - 1, right);
-  cord.add_pulley(reeved.pulleys[0]);
+  add_pulley(cord, reeved.pulleys[0]);
   return cord;
 }
 

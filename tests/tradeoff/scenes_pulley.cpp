@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ribbon/pulley.h"
 #include "tests/support/constants.h"
 #include "tests/support/pulleys.h"
 #include "tests/tradeoff/measure.h"
@@ -63,7 +64,7 @@ Run capstan(const ribbon::Accuracy& accuracy) {
   ribbon::RigidBody wall;
   wall.position = of.wheel.center;
   Run run{of.cord(), {wall}, {{0, {}}}};
-  run.cord.set_motor(0, 0.0, 1e12);
+  set_motor(run.cord, 0, 0.0, 1e12);
   return run;
 }
 
@@ -79,7 +80,7 @@ Run tackle(const ribbon::Accuracy& accuracy) {
   def.accuracy = accuracy;
   Run run{ribbon::Cord(def), std::vector<ribbon::RigidBody>(2), test_support::axles_of_tackle()};
   run.cord.attach_mass(0, 11.0);
-  for (const ribbon::PulleyDef& pulley : reeved.pulleys) run.cord.add_pulley(pulley);
+  for (const ribbon::PulleyDef& pulley : reeved.pulleys) add_pulley(run.cord, pulley);
   run.bodies[0].position = test_support::fixed_block;
   run.bodies[1].position = test_support::moving_block;
   run.bodies[1].inverse_mass = 1.0 / 40.0;

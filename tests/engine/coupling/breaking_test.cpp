@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/tick/workers.h"
+#include "ribbon/cord_forces.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/engine/coupling/loaded_rope.h"
 #include "tests/support/dice.h"
@@ -21,9 +22,9 @@ TEST(ABreakingCord, BreaksWhereItIsLoadedMostOneLinkATick) {
   def.breaking_force = 36.0;  // 3.5 kg and half of the cord's 1 kg weigh 39 N, and 3 kg alone 29
   LoadedRope scene(def);
   int ticks = 0;
-  while (scene.coupling.cut_events().empty() && ++ticks < 100) scene.tick();
-  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
-  const CutEvent event = scene.coupling.cut_events()[0];
+  while (scene.coupling.last_step().cut_events().empty() && ++ticks < 100) scene.tick();
+  ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
+  const CutEvent event = scene.coupling.last_step().cut_events()[0];
   EXPECT_TRUE(event.broke);
   EXPECT_GT(event.tension, 36.0);
   EXPECT_NEAR(event.arc, 0.1, 1e-12) << "the middle of the first link";
@@ -77,8 +78,8 @@ TEST(ABreakingCord, OverAPegBreaksOnTheSideOfTheGreaterTension) {
   EXPECT_NEAR(cord.tensions()[55], 3.0 * g, 0.05 * 3.0 * g);
   for (int link = 0; link < 60; ++link) cord.set_breaking_force(link, 2.0 * g);
   scene.tick();
-  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
-  EXPECT_GT(scene.coupling.cut_events()[0].arc, 1.7) << "beyond the peg, on the heavy side";
+  ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
+  EXPECT_GT(scene.coupling.last_step().cut_events()[0].arc, 1.7) << "beyond the peg, on the heavy side";
 }
 
 TEST(ABreakingCord, IsWokenWhenItIsWeakened) {
@@ -92,8 +93,8 @@ TEST(ABreakingCord, IsWokenWhenItIsWeakened) {
   ASSERT_TRUE(scene.coupling.cord(scene.rope).direct().is_asleep());
   scene.coupling.cord(scene.rope).direct().set_breaking_force(30, 10.0);
   scene.tick();
-  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
-  EXPECT_NEAR(scene.coupling.cut_events()[0].arc, 6.1, 1e-9);
+  ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
+  EXPECT_NEAR(scene.coupling.last_step().cut_events()[0].arc, 6.1, 1e-9);
   scene.tick(30);
   EXPECT_LE(scene.load->GetPosition().y, -11.0);
 }
@@ -140,8 +141,8 @@ TEST(ABreakingCord, OfOneLinkIsDust) {
   b2Body* load = scene.add_body({0.0, -1.0}, 3.0);
   const GripId grip = scene.coupling.hold(*load, {.cord = rope, .arc = 1.0});
   scene.tick();
-  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
-  EXPECT_FALSE(scene.coupling.cut_events()[0].first || scene.coupling.cut_events()[0].second);
+  ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.last_step().cut_events()[0].first || scene.coupling.last_step().cut_events()[0].second);
   EXPECT_EQ(scene.coupling.size(), 0);
   EXPECT_FALSE(scene.coupling.grip(grip).is_valid());
   EXPECT_EQ(scene.coupling.add(Cord(def)), 1);
@@ -153,7 +154,7 @@ TEST(ABreakingCord, OfOneLinkIsDust) {
 TEST(ABreakingCord, TellsTheReactionOfItsPin) {
   LoadedRope scene;
   scene.tick(300);
-  const Vec2 reaction = scene.coupling.cord(scene.rope).direct().reaction(0, {0.0, -g});
+  const Vec2 reaction = ribbon::reaction(scene.coupling.cord(scene.rope).direct(), 0, {0.0, -g});
   EXPECT_NEAR(reaction.y, (3.0 + 0.5 + 1.0) * g, 1e-3 * 4.5 * g);
 }
 

@@ -31,8 +31,8 @@ TEST(Sensors, AreSavedAndRestored) {
       scene.run(ticks);
       if (removes) scene.coupling.remove(rope);
       const Coupling::State state = scene.coupling.save(scene.world);
-      const std::vector<SensorEvent> events(scene.coupling.sensor_events().begin(),
-                                            scene.coupling.sensor_events().end());
+      const std::vector<SensorEvent> events(scene.coupling.last_step().sensor_events().begin(),
+                                            scene.coupling.last_step().sensor_events().end());
       const std::vector<Seen> first = scene.run(15);
       const auto hash = [&] {
         ribbon::box2d::Hasher hasher;
@@ -42,7 +42,7 @@ TEST(Sensors, AreSavedAndRestored) {
       const auto end = hash();
       scene.coupling.restore(state, scene.world);
       EXPECT_EQ(scene.coupling.save(scene.world), state);
-      const auto restored = scene.coupling.sensor_events();
+      const auto restored = scene.coupling.last_step().sensor_events();
       ASSERT_EQ(restored.size(), events.size());
       for (std::size_t k = 0; k < events.size(); ++k) {
         EXPECT_EQ(std::tie(restored[k].cord, restored[k].begins, restored[k].fixture, restored[k].number),
@@ -110,7 +110,7 @@ TEST(Sensors, AllocateNothingInASteadyTick) {
   const auto pass = [&](int k) {
     passing->GetBody()->SetTransform({0.0F, k % 2 == 0 ? 0.0F : 2.0F}, 0.0F);
     scene.tick();
-    EXPECT_EQ(scene.coupling.sensor_events().size(), 1U);
+    EXPECT_EQ(scene.coupling.last_step().sensor_events().size(), 1U);
   };
   scene.tick();
   for (int k = 1; k < 6; ++k) pass(k);

@@ -74,7 +74,7 @@ struct SensorWorld : GripWorld {
     std::vector<Seen> seen;
     for (int k = 0; k < ticks; ++k) {
       tick();
-      for (const SensorEvent& event : coupling.sensor_events()) {
+      for (const SensorEvent& event : coupling.last_step().sensor_events()) {
         seen.emplace_back(event.cord, event.begins, event.fixture);
         EXPECT_EQ(event.number != 0, event.fixture != nullptr);
         EXPECT_EQ(coupling.fixture(event.number), event.fixture);

@@ -21,7 +21,8 @@ TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
   std::vector<ribbon::box2d::TouchEvent> events;
   for (int k = 0; k < 60; ++k) {
     scene.tick();
-    events.insert(events.end(), scene.coupling.touch_events().begin(), scene.coupling.touch_events().end());
+    events.insert(events.end(), scene.coupling.last_step().touch_events().begin(),
+                  scene.coupling.last_step().touch_events().end());
   }
   ASSERT_FALSE(events.empty());
   EXPECT_TRUE(events[0].begins);
@@ -33,9 +34,10 @@ TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
   events.clear();
   ball->SetTransform({1.0F, 5.0F}, 0.0F);
   scene.tick();
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-  EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
-  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, ball->GetFixtureList()) << "far away it is still there";
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.last_step().touch_events()[0].begins);
+  EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture, ball->GetFixtureList())
+      << "far away it is still there";
 }
 
 /// If the coupling destroys a body after the tick, its events remain, without the fixture.
@@ -44,13 +46,13 @@ TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
   scene.coupling.add(Cord(taut()));
   b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
   ball->GetFixtureList()->SetFilterData(b2Filter());
-  for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  for (int k = 0; k < 60 && scene.coupling.last_step().touch_events().empty(); ++k) scene.tick();
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
   const std::uint64_t number = scene.coupling.cord(0).touching()[0].fixture;
   EXPECT_EQ(scene.coupling.fixture(number), ball->GetFixtureList());
   scene.coupling.destroy(scene.world, *ball);
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture, nullptr);
   EXPECT_EQ(scene.coupling.fixture(number), nullptr);
 }
 
@@ -61,21 +63,21 @@ TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
     scene.coupling.add(Cord(taut()));
     b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
     ball->GetFixtureList()->SetFilterData(b2Filter());
-    for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
-    ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-    const std::uint64_t number = scene.coupling.touch_events()[0].number;
+    for (int k = 0; k < 60 && scene.coupling.last_step().touch_events().empty(); ++k) scene.tick();
+    ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+    const std::uint64_t number = scene.coupling.last_step().touch_events()[0].number;
     EXPECT_EQ(scene.coupling.fixture(number, scene.world), ball->GetFixtureList());
     if (forgets) scene.coupling.forget(*ball->GetFixtureList());
     ball->DestroyFixture(ball->GetFixtureList());
     EXPECT_EQ(scene.coupling.fixture(number, scene.world), nullptr);
-    EXPECT_EQ(scene.coupling.touch_events()[0].fixture == nullptr, forgets);
+    EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture == nullptr, forgets);
     const ribbon::box2d::Coupling::State state = scene.coupling.save(scene.world);
     ASSERT_EQ(state.events.size(), 1U);
     EXPECT_EQ(state.events[0].fixture, 0U);
     scene.tick();
-    ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-    EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
-    EXPECT_EQ(scene.coupling.touch_events()[0].number, 0U);
+    ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+    EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture, nullptr);
+    EXPECT_EQ(scene.coupling.last_step().touch_events()[0].number, 0U);
   }
 }
 
@@ -119,9 +121,9 @@ TEST(TouchEvents, OfANewBodyAtTheSameAddressAreItsOwn) {
   scene.tick();
   ASSERT_EQ(scene.coupling.cord(0).touching().size(), 1U);
   EXPECT_NE(scene.coupling.cord(0).touching()[0].fixture, number);
-  ASSERT_EQ(scene.coupling.touch_events().size(), 2U);
-  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
-  EXPECT_TRUE(scene.coupling.touch_events()[1].begins);
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 2U);
+  EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture, nullptr);
+  EXPECT_TRUE(scene.coupling.last_step().touch_events()[1].begins);
 }
 
 /// A destroyed fixture has only an end event.
@@ -130,13 +132,13 @@ TEST(TouchEvents, OfADestroyedFixtureHaveNone) {
   scene.coupling.add(Cord(taut()));
   b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
   ball->GetFixtureList()->SetFilterData(b2Filter());
-  for (int k = 0; k < 60 && scene.coupling.touch_events().empty(); ++k) scene.tick();
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
+  for (int k = 0; k < 60 && scene.coupling.last_step().touch_events().empty(); ++k) scene.tick();
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
   scene.world.DestroyBody(ball);
   scene.tick();
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-  EXPECT_FALSE(scene.coupling.touch_events()[0].begins);
-  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, nullptr);
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  EXPECT_FALSE(scene.coupling.last_step().touch_events()[0].begins);
+  EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture, nullptr);
 }
 
 }  // namespace
