@@ -1,9 +1,10 @@
 #include "ribbon/box2d/coupling_parts.h"
-#include "ribbon/cord_forces.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
+
+#include "ribbon/cord_forces.h"
 
 namespace ribbon::box2d {
 namespace {

@@ -27,26 +27,10 @@ using constants::gravity;
 /// The tackle and what it carries.
 struct Tackle {
   explicit Tackle(double hand_mass, double load = 40.0, const Accuracy& accuracy = {})
-      : Tackle(make(accuracy), hand_mass, load) {}
-  Tackle(const CordDef& def, double hand_mass, double load) : cord(def) {
+      : Tackle(test_support::tackle_def(points, accuracy), hand_mass, load) {}
+  Tackle(const CordDef& def, double hand_mass, double load)
+      : cord(test_support::tackle_cord(def)), blocks(test_support::tackle_blocks(load)) {
     cord.attach_mass(0, hand_mass);
-    const ReevedCord reeved = test_support::reeve_tackle(points);
-    for (const PulleyDef& pulley : reeved.pulleys) add_pulley(cord, pulley);
-    blocks[0].position = test_support::fixed_block;
-    blocks[1].position = test_support::moving_block;
-    blocks[1].inverse_mass = 1.0 / load;
-    blocks[1].acceleration = gravity;
-  }
-  static CordDef make(const Accuracy& accuracy) {
-    const ReevedCord reeved = test_support::reeve_tackle(points);
-    CordDef def;
-    def.points = points;
-    def.length = reeved.length;
-    def.positions = reeved.positions;
-    def.mass_per_length = 1e-5;
-    def.pins = {points - 1};
-    def.accuracy = accuracy;
-    return def;
   }
   /// Returns the kinetic energy of all, J.
   double kinetic() const {
@@ -73,7 +57,7 @@ struct Tackle {
   }
   static constexpr int points = 181;
   Cord cord;
-  std::vector<RigidBody> blocks{2};
+  std::vector<RigidBody> blocks;
   int unconverged = 0;
 };
 
@@ -101,7 +85,7 @@ TEST(Pulley, DividesALoadInATackle) {
 TEST(Pulley, KeepsTheEnergyOfATackleWithAHeavyCord) {
   for (const double scale : {1.0, 2.5}) {
     for (const double load : {10.0, 60.0}) {
-      CordDef def = Tackle::make({});
+      CordDef def = test_support::tackle_def(Tackle::points, {});
       def.mass_per_length = 0.5;
       def.gravity_scale = scale;
       Tackle tackle(def, load < 20.0 ? 8.0 : 2.0, load);

@@ -83,14 +83,8 @@ TEST(ABreakingCord, OverAPegBreaksOnTheSideOfTheGreaterTension) {
 }
 
 TEST(ABreakingCord, IsWokenWhenItIsWeakened) {
-  CordDef def = hanging();
-  def.allow_sleep = true;
-  def.drag = 1.0;
-  LoadedRope scene(def);
-  scene.hand->SetSleepingAllowed(true);
-  scene.load->SetSleepingAllowed(true);
-  scene.tick(300);
-  ASSERT_TRUE(scene.coupling.cord(scene.rope).direct().is_asleep());
+  LoadedRope scene(LoadedRope::sleepy());
+  scene.fall_asleep();
   scene.coupling.cord(scene.rope).direct().set_breaking_force(30, 10.0);
   scene.tick();
   ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
@@ -119,9 +113,7 @@ TEST(ABreakingCord, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 20) scene.world.SetGravity({0.0F, -25.0F});
       scene.tick();
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_GT(alone.next_cord, 6 + 12) << "all were cut, and some broke";

@@ -175,9 +175,7 @@ TEST(CouplingMedium, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 20) scene.coupling.cut({-1.0, -3.0}, {30.0, -3.2});
       scene.tick();
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_EQ(run(3, false), alone);

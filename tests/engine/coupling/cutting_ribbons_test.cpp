@@ -371,9 +371,7 @@ TEST(CuttingRibbons, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 15) scene.world.SetGravity({0.0F, -40.0F});
       scene.tick();
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_GT(alone.next_cord, 3 + 4) << "two were cut, and some broke";

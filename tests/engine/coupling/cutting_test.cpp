@@ -113,14 +113,8 @@ TEST(CuttingACord, ReleasesWhatHoldsTheDust) {
 }
 
 TEST(CuttingACord, WakesASleepingOneAndItsLoad) {
-  CordDef def = hanging();
-  def.allow_sleep = true;
-  def.drag = 1.0;
-  LoadedRope scene(def);
-  scene.hand->SetSleepingAllowed(true);
-  scene.load->SetSleepingAllowed(true);
-  scene.tick(300);
-  ASSERT_TRUE(scene.coupling.cord(scene.rope).direct().is_asleep());
+  LoadedRope scene(LoadedRope::sleepy());
+  scene.fall_asleep();
   ASSERT_FALSE(scene.load->IsAwake());
   scene.coupling.cord(scene.rope).cut(7.0);
   scene.tick(30);

@@ -17,6 +17,20 @@ struct LoadedRope : GripWorld {
     load_grip = coupling.hold(*load, {.cord = rope, .arc = 10.0});
   }
 
+  /// Falls asleep, with what it holds. Its definition allows that.
+  void fall_asleep() {
+    hand->SetSleepingAllowed(true);
+    load->SetSleepingAllowed(true);
+    tick(300);
+    ASSERT_TRUE(coupling.cord(rope).direct().is_asleep());
+  }
+  static CordDef sleepy() {
+    CordDef def = hanging();
+    def.allow_sleep = true;
+    def.drag = 1.0;
+    return def;
+  }
+
   CordId rope;
   b2Body* hand;
   b2Body* load;

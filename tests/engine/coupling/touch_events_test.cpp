@@ -12,12 +12,24 @@
 namespace engine {
 namespace {
 
+/// A ball above a taut cord.
+struct FallingBall : GripWorld {
+  explicit FallingBall(double height = 0.2) {
+    coupling.add(Cord(taut()));
+    ball = add_body({1.0, height}, 2.0);
+    ball->GetFixtureList()->SetFilterData(b2Filter());
+  }
+  void fall_on_cord() {
+    for (int k = 0; k < 60 && coupling.last_step().touch_events().empty(); ++k) tick();
+    ASSERT_EQ(coupling.last_step().touch_events().size(), 1U);
+  }
+  b2Body* ball;
+};
+
 /// The begin event has the impulse that stops the ball; the end event follows when the ball is away.
 TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
-  GripWorld scene;
-  scene.coupling.add(Cord(taut()));
-  b2Body* ball = scene.add_body({1.0, 0.6}, 2.0);
-  ball->GetFixtureList()->SetFilterData(b2Filter());
+  FallingBall scene(0.6);
+  b2Body* ball = scene.ball;
   std::vector<ribbon::box2d::TouchEvent> events;
   for (int k = 0; k < 60; ++k) {
     scene.tick();
@@ -42,12 +54,9 @@ TEST(TouchEvents, ReportTheBeginAndTheEndOfAContact) {
 
 /// If the coupling destroys a body after the tick, its events remain, without the fixture.
 TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
-  GripWorld scene;
-  scene.coupling.add(Cord(taut()));
-  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
-  ball->GetFixtureList()->SetFilterData(b2Filter());
-  for (int k = 0; k < 60 && scene.coupling.last_step().touch_events().empty(); ++k) scene.tick();
-  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  FallingBall scene;
+  b2Body* ball = scene.ball;
+  scene.fall_on_cord();
   const std::uint64_t number = scene.coupling.cord(0).touching()[0].fixture;
   EXPECT_EQ(scene.coupling.fixture(number), ball->GetFixtureList());
   scene.coupling.destroy(scene.world, *ball);
@@ -59,12 +68,9 @@ TEST(TouchEvents, OfAFixtureThatIsDestroyedAfterTheTickHaveNone) {
 /// If Box2D destroys a fixture, the user can report that, or can look up the fixture in the world.
 TEST(TouchEvents, OfAFixtureThatBox2DDestroysAreFoundByNumberOrForgotten) {
   for (const bool forgets : {true, false}) {
-    GripWorld scene;
-    scene.coupling.add(Cord(taut()));
-    b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
-    ball->GetFixtureList()->SetFilterData(b2Filter());
-    for (int k = 0; k < 60 && scene.coupling.last_step().touch_events().empty(); ++k) scene.tick();
-    ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+    FallingBall scene;
+    b2Body* ball = scene.ball;
+    scene.fall_on_cord();
     const std::uint64_t number = scene.coupling.last_step().touch_events()[0].number;
     EXPECT_EQ(scene.coupling.fixture(number, scene.world), ball->GetFixtureList());
     if (forgets) scene.coupling.forget(*ball->GetFixtureList());
@@ -128,12 +134,9 @@ TEST(TouchEvents, OfANewBodyAtTheSameAddressAreItsOwn) {
 
 /// A destroyed fixture has only an end event.
 TEST(TouchEvents, OfADestroyedFixtureHaveNone) {
-  GripWorld scene;
-  scene.coupling.add(Cord(taut()));
-  b2Body* ball = scene.add_body({1.0, 0.2}, 2.0);
-  ball->GetFixtureList()->SetFilterData(b2Filter());
-  for (int k = 0; k < 60 && scene.coupling.last_step().touch_events().empty(); ++k) scene.tick();
-  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  FallingBall scene;
+  b2Body* ball = scene.ball;
+  scene.fall_on_cord();
   scene.world.DestroyBody(ball);
   scene.tick();
   ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);

@@ -258,9 +258,7 @@ TEST(TyingCords, HasTheSameBitsWithWorkersAndEstimatesAndAllocatesNothing) {
     } else {
       scene.tick(20);
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_EQ(run(3, false), alone);
