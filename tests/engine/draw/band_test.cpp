@@ -9,6 +9,7 @@
 
 #include "engine/draw/canvas_raster.h"
 #include "engine/draw/pixel_pairs.h"
+#include "tests/engine/draw/blue.h"
 #include "tests/support/constants.h"
 #include "tests/support/pixels.h"
 #include "tests/support/points.h"

@@ -11,6 +11,7 @@
 
 #include "engine/draw/canvas_raster.h"
 #include "engine/draw/pixel_pairs.h"
+#include "tests/engine/draw/blue.h"
 #include "tests/support/constants.h"
 #include "tests/support/pixels.h"
 #include "tests/support/points.h"
@@ -34,8 +35,6 @@ TexturedMesh rectangle(Vec2 from, Vec2 to, Color color = white) {
   mesh.indices = {0, 1, 2, 0, 2, 3};
   return mesh;
 }
-
-int blue(const Raster& raster, int x, int y) { return static_cast<int>(pixel(raster, x, y) & 0xffU); }
 
 /// 0 … 255 from left to right in red, from top to bottom in green.
 Image ramps(int side, Mipmaps mipmaps = Mipmaps::no) {
