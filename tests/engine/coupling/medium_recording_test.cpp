@@ -9,6 +9,7 @@
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/weather.h"
+#include "tests/engine/coupling/blown_world.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/allocations.h"
 #include "tests/support/dice.h"
