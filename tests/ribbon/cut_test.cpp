@@ -76,6 +76,18 @@ TEST(Cut, LosesTheEnergyOfTheBendAtTheCut) {
   EXPECT_NEAR(sums_of(cord, gravity).energy - after, bend, 1e-12);
 }
 
+TEST(Cut, DividesTheDriftOfTheEnergyByLength) {
+  CordDef terms;
+  terms.stretch_stiffness = 1e3;
+  terms.damping = 0.02;
+  const Cord cord = swinging(terms);
+  const double drift = cord.save().energy_drift;
+  ASSERT_NE(drift, 0.0);
+  const auto [first, second] = cut(cord, cut_at(cord, 0.5));
+  EXPECT_DOUBLE_EQ(first->save().energy_drift, 0.25 * drift);
+  EXPECT_DOUBLE_EQ(second->save().energy_drift, 0.75 * drift);
+}
+
 TEST(Cut, GivesWhatIsAttachedToItsSide) {
   Cord cord = swinging({});
   cord.constrain(10, cord.positions()[10]);
