@@ -87,7 +87,8 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
 [[gnu::always_inline]] inline EliminatedLink Chain::eliminate_point(const Stage& stage, std::span<const Vec2> x,
                                                                     std::size_t e, double last_tension,
                                                                     PointRow& row) const {
-  auto& [a, r, min_sigma] = row;
+  Block& a = row.a;
+  Vec2& r = row.r;
   const Vec2 ab = x[e] - x[e + 1];
   const double size = length(ab);
   const Vec2 d = unit_or(ab, size, {0.0, 1.0});
@@ -103,7 +104,7 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
   const Vec2 sd = s(d);
   const Vec2 su = s(u);
   const Vec2 sr = s(r);
-  const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), min_sigma);
+  const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), row.min_sigma);
   const Vec2 p = d - (g * dot(u, sd)) * u;
   const double tension = (mixed.elongation - dot(d, sr)) * inverse_sigma;
   const Vec2 slope = inverse_sigma * p;
