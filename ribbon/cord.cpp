@@ -1,14 +1,10 @@
 #include "ribbon/cord.h"
 
 #include <algorithm>
-#include <cmath>
-#include <initializer_list>
 #include <utility>
 
 #include "ribbon/island/island.h"
-#include "ribbon/linear/fetch.h"
 #include "ribbon/system/cord_parts.h"
-#include "ribbon/system/wheel_points.h"
 
 namespace ribbon {
 namespace {
@@ -24,11 +20,6 @@ std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 void check_point(const CordParts& cord, int point) {
   check_range("point", point, 0, static_cast<double>(cord.size()) - 1.0);
-}
-
-void check_pulley(const CordParts& cord, int pulley) {
-  if (cord.state.pulleys.empty()) throw DefinitionError("pulley is " + std::to_string(pulley) + "; the cord has none");
-  check_range("pulley", pulley, 0, static_cast<double>(cord.state.pulleys.size()) - 1.0);
 }
 
 void set_target(CordParts& cord, int point, Vec2 target, PointKind kind) {
@@ -69,20 +60,6 @@ double Cord::breaking_force(int link) const {
   return forces.empty() ? parts_->def.breaking_force : forces[slot(link)];
 }
 
-std::optional<int> Cord::overloaded_link() const {
-  if (parts_->state.breaking_forces.empty() && std::isinf(parts_->def.breaking_force)) return std::nullopt;
-  std::optional<int> overloaded;
-  double highest = 1.0;
-  for (int link = 0; link + 1 < parts_->def.points; ++link) {
-    // A link without any strength breaks under any tension.
-    const double load = std::max(0.0, parts_->tension(slot(link))) / breaking_force(link);
-    if (!(load > highest)) continue;
-    highest = load;
-    overloaded = link;
-  }
-  return overloaded;
-}
-
 void check_axles(const Cord& cord, const Surroundings& surroundings) {
   if (surroundings.axles.size() == cord.pulleys().size()) return;
   throw DefinitionError("axles are " + std::to_string(surroundings.axles.size()) +
@@ -115,27 +92,7 @@ Vec2 Cord::target(int point) const { return parts_->state.targets[slot(point)]; 
 double Cord::mass(int point) const { return parts_->state.masses[slot(point)]; }
 double Cord::rest_length(int i) const { return parts_->state.rest[slot(i)]; }
 Cord::Energy Cord::energy(Vec2 gravity) const { return parts_->energy(gravity); }
-Vec2 Cord::reaction(int point, Vec2 gravity) const {
-  check_point(*parts_, point);
-  return kind(point) == PointKind::free ? Vec2{} : holding_force(point, gravity);
-}
-Vec2 Cord::holding_force(int point, Vec2 gravity) const {
-  check_point(*parts_, point);
-  return parts_->holding_force(slot(point), gravity);
-}
-Cord::Sweep Cord::sweep() const { return parts_->sweep ? *parts_->sweep : parts_->find_sweep(); }
-void Cord::fetch() const {
-  const CordParts& parts = *parts_;
-  fetch_bytes(&parts.sweep, sizeof parts.sweep);
-  for (const void* const part :
-       std::initializer_list<const void*>{&parts.def.radius, &parts.def.gravity_scale, &parts.def.cord_contact,
-                                          &parts.state.pulleys, &parts.state.asleep}) {
-    fetch_line(part);
-  }
-}
-bool Cord::remembers_sweep() const { return parts_->sweep.has_value(); }
 bool Cord::is_asleep() const { return parts_->state.asleep; }
-bool Cord::meets_cords() const { return parts_->meets_cords(); }
 void Cord::wake() { parts_->wake(); }
 std::span<const Touch> Cord::touches() const { return parts_->state.touches; }
 std::span<const Cord::Holder> Cord::holders() const { return parts_->state.holders; }
@@ -214,34 +171,6 @@ void Cord::reel(int first, int last, double length, double speed) {
     parts_->state.rest_targets[e] = parts_->state.rest[e] * (length / current);
     parts_->state.rest_speeds[e] = speed * (parts_->state.rest[e] / current);
   }
-  parts_->disturb();
-}
-
-int Cord::add_pulley(const PulleyDef& def) {
-  std::vector<Pulley>& pulleys = parts_->state.pulleys;
-  const auto behind =
-      std::find_if(pulleys.begin(), pulleys.end(), [&](const Pulley& other) { return other.def.before >= def.after; });
-  const auto added = pulleys.insert(behind, make_pulley(*parts_, def));
-  parts_->leave_out_links_on_wheels();
-  parts_->disturb();
-  return static_cast<int>(added - pulleys.begin());
-}
-
-void Cord::remove_pulley(int pulley) {
-  check_pulley(*parts_, pulley);
-  parts_->state.pulleys.erase(parts_->state.pulleys.begin() + pulley);
-  parts_->leave_out_links_on_wheels();
-  parts_->disturb();
-}
-
-void Cord::set_motor(int pulley, double speed, double torque) {
-  check_pulley(*parts_, pulley);
-  PulleyDef def = parts_->state.pulleys[slot(pulley)].def;
-  def.motor_speed = speed;
-  def.motor_torque = torque;
-  check(def, parts_->def.points);
-  parts_->state.pulleys[slot(pulley)].def = def;
-  parts_->state.pulleys[slot(pulley)].motor_sign = 0.0;
   parts_->disturb();
 }
 

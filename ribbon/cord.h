@@ -3,11 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "ribbon/box.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/definition.h"
 #include "ribbon/reports.h"
@@ -24,6 +22,9 @@ struct CordParts;
 /// has one row of points; a ribbon has several and resists shear and compression too. A step allocates no memory,
 /// unless more bodies and shapes come near than before. It throws DefinitionError for a value out of range, before
 /// anything has moved.
+///
+/// What is found from the state of a cord is in free functions: cord_forces.h, cord_sweep.h, smooth_line.h; what cuts
+/// it and lays it around wheels, in cut.h and pulley.h.
 class Cord {
  public:
   /// Creates a cord at rest. Throws DefinitionError if check(def) does.
@@ -72,44 +73,12 @@ class Cord {
   double tension(int link) const;
   /// Returns the tension above which a link breaks, N. Throws DefinitionError for an unknown link.
   double breaking_force(int link) const;
-  /// Returns the link whose tension exceeds its breaking force by the largest factor, the first of equal ones; nothing
-  /// if none does. O(1) if no link can break, otherwise O(points).
-  std::optional<int> overloaded_link() const;
-
-  /// Returns the force [N] that keeps a constrained or operated point on its path, under `gravity` [m/s²]: the reaction
-  /// of the pin on the cord, at the end of the last step. It does not include contacts of the links at the point, nor
-  /// damping after set_velocity and while inverted cells are turned back. It is 0 for a free point. Throws
-  /// DefinitionError for an unknown point. O(points).
-  Vec2 reaction(int point, Vec2 gravity) const;
-  /// Returns the force [N] that would hold any point, free or not, against the other forces on it, among them its
-  /// weight under gravity_scale times `gravity`. For a point that a static or kinematic body holds it is the force of
-  /// the body.
-  Vec2 holding_force(int point, Vec2 gravity) const;
-
-  /// Bounds of a cord's position and motion.
-  struct Sweep {
-    Box box;               ///< m, around its points and their targets
-    double speed2 = 0.0;   ///< m²/s², square of the highest speed of a point
-    double elastic = 0.0;  ///< J, elastic energy; 0 while the cord sleeps
-    double link = 0.0;     ///< m, rest length of the first link
-  };
-  /// Returns the bounds. O(1) after a step of a DirectSolver, until the cord is changed; otherwise O(points).
-  Sweep sweep() const;
-  /// Returns whether the cord is unchanged since a step of a DirectSolver, so that sweep is O(1).
-  bool remembers_sweep() const;
-  /// Starts to fetch from memory what this class reads of the cord outside of a step, except its points. A loop over
-  /// many cords calls it for one of the next ones. It changes nothing but the speed.
-  void fetch() const;
-
   /// s, rest time before a cord falls asleep, as b2_timeToSleep.
   static constexpr double time_to_sleep = 0.5;
   /// Returns whether the cord slept during the last step (CordDef::allow_sleep). The next step wakes it if something
   /// near it has changed or is awake, including another cord of its island. The setters below wake it too, except
   /// set_accuracy.
   bool is_asleep() const;
-  /// Returns whether it collides with other cords: with those that declare cord_contact as it does, and, with
-  /// self_contact, with other pieces of the cord that it was cut from.
-  bool meets_cords() const;
   /// Wakes the cord and restarts its rest time.
   void wake();
 
@@ -143,18 +112,6 @@ class Cord {
   /// give it its velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
   IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
-  /// Lays the cord around a wheel, which each step then has an axle for (Surroundings::axles). The points between
-  /// `before` and `after` are placed on the wheel. Returns its index: pulleys are ordered along the cord. Throws
-  /// DefinitionError for a value out of range, or unless the cord runs past the wheel there with a length that differs
-  /// from the definition's by less than a tenth of the part between these points. Throws CallError for a ribbon, for a
-  /// cord with bending stiffness, and where a point is fixed or on another wheel. Such a cord does not sleep, and the
-  /// part on a wheel is not stretched and touches nothing.
-  int add_pulley(const PulleyDef& def);
-  /// Takes the cord off a wheel. Throws DefinitionError for an unknown pulley.
-  void remove_pulley(int pulley);
-  /// Sets speed [rad/s, −1e6 … 1e6] and largest torque [N·m, 0 … infinity] of a motor. Throws DefinitionError for an
-  /// unknown pulley or a value out of range.
-  void set_motor(int pulley, double speed, double torque);
   /// Returns the pulleys, ordered along the cord.
   std::span<const Pulley> pulleys() const;
 

@@ -85,7 +85,7 @@ struct CordDef {
   double displaced_area = 0.0;
   bool tension_only = false;  ///< of a rope: links resist tension but not compression
   /// N, above 0: tension above which a link breaks; of a ribbon, which breaks across, see Cord::tension. Infinity, the
-  /// default, makes it unbreakable. The cord only reports an overloaded link (Cord::overloaded_link); a coupling cuts
+  /// default, makes it unbreakable. The cord only reports an overloaded link (overloaded_link); a coupling cuts
   /// it there.
   double breaking_force = std::numeric_limits<double>::infinity();
   double friction = 0.0;      ///< coefficient μ, 0 … 10; two surfaces combine to √(μ₁·μ₂), as in Box2D

@@ -77,6 +77,28 @@ std::optional<Cord> made_of(const Cord& cord, const Columns& columns, std::optio
   return std::optional<Cord>(std::in_place, std::make_unique<CordParts>(def));
 }
 
+void take_points_and_links(const CordParts& whole, const Columns& columns, CordParts& piece) {
+  const Cord::State& from = whole.state;
+  Cord::State& to = piece.state;
+  const int first = columns.first * columns.rows;
+  const int count = columns.size() * columns.rows;
+  take(from.positions, first, count, to.positions);
+  take(from.velocities, first, count, to.velocities);
+  take(from.accelerations, first, count, to.accelerations);
+  take(from.loads, first, count, to.loads);
+  take(from.medium_forces, first, count, to.medium_forces);
+  take(from.rest, columns.first, columns.links(), to.rest);
+  take(from.rest_targets, columns.first, columns.links(), to.rest_targets);
+  take(from.rest_speeds, columns.first, columns.links(), to.rest_speeds);
+  take(from.breaking_forces, columns.first, columns.links(), to.breaking_forces);
+  piece.rest_start = to.rest_targets;
+  piece.rest_end = to.rest_targets;
+  const std::span<const char> unlocked = whole.elasticity->unlocked();
+  const std::span<char> piece_unlocked = piece.elasticity->unlocked();
+  std::copy_n(unlocked.begin() + (unlocked.empty() ? 0 : columns.first * (columns.rows - 1)), piece_unlocked.size(),
+              piece_unlocked.begin());
+}
+
 void take_tensions(const CordParts& whole, const Columns& columns, CordParts& piece) {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -131,6 +153,18 @@ void take_touches(const CordParts& whole, const CutPlace& where, int side, CordP
   }
 }
 
+/// Each piece has its share of the energies. What follows a cut is not smooth, so no piece may gain energy.
+void take_energies_and_origin(const Cord::State& from, const Columns& columns, Cord::State& to) {
+  const double share = static_cast<double>(columns.links()) / (columns.all - 1);
+  to.regainable_energy = std::min(0.0, share * from.regainable_energy);
+  to.energy_drift = share * from.energy_drift;
+  to.damping_excluded = from.damping_excluded;
+  to.family = from.family;
+  to.split = from.split;
+  if (columns.first == 0) to.joined_first = from.joined_first;
+  if (columns.last == columns.all - 1) to.joined_last = from.joined_last;
+}
+
 std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side, std::optional<Cord> memory) {
   if (where.is_along()) return std::optional<Cord>(std::in_place, split_piece(cord.parts(), where.row, side));
   const Columns columns = columns_of(cord.def(), where, side);
@@ -138,38 +172,13 @@ std::optional<Cord> piece_of(const Cord& cord, const CutPlace& where, int side, 
   std::optional<Cord> made = made_of(cord, columns, std::move(memory));
   const CordParts& whole = cord.parts();
   CordParts& piece = made->parts();
-  const Cord::State& from = whole.state;
-  Cord::State& to = piece.state;
-  const int first = columns.first * columns.rows;
-  const int count = columns.size() * columns.rows;
-  take(from.positions, first, count, to.positions);
-  take(from.velocities, first, count, to.velocities);
-  take(from.accelerations, first, count, to.accelerations);
-  take(from.loads, first, count, to.loads);
-  take(from.medium_forces, first, count, to.medium_forces);
-  take(from.rest, columns.first, columns.links(), to.rest);
-  take(from.rest_targets, columns.first, columns.links(), to.rest_targets);
-  take(from.rest_speeds, columns.first, columns.links(), to.rest_speeds);
-  take(from.breaking_forces, columns.first, columns.links(), to.breaking_forces);
-  piece.rest_start = to.rest_targets;
-  piece.rest_end = to.rest_targets;
-  const std::span<const char> unlocked = whole.elasticity->unlocked();
-  const std::span<char> piece_unlocked = piece.elasticity->unlocked();
-  std::copy_n(unlocked.begin() + (unlocked.empty() ? 0 : columns.first * (columns.rows - 1)), piece_unlocked.size(),
-              piece_unlocked.begin());
+  take_points_and_links(whole, columns, piece);
   take_tensions(whole, columns, piece);
   take_attachments(whole, where, side, columns, piece);
   take_touches(whole, where, side, piece);
   take_pulleys(whole, columns, piece);
-  const double share = static_cast<double>(columns.links()) / (columns.all - 1);
-  to.regainable_energy = std::min(0.0, share * from.regainable_energy);  // what follows a cut is not smooth
-  to.energy_drift = share * from.energy_drift;
-  to.damping_excluded = from.damping_excluded;
-  to.family = from.family;
-  to.split = from.split;
-  if (columns.first == 0) to.joined_first = from.joined_first;
-  if (columns.last == columns.all - 1) to.joined_last = from.joined_last;
-  piece.elasticity->set_rest_lengths(to.rest);
+  take_energies_and_origin(whole.state, columns, piece.state);
+  piece.elasticity->set_rest_lengths(piece.state.rest);
   piece.disturb();
   return made;
 }

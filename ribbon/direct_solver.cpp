@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ribbon/collision/motion_bounds.h"
+#include "ribbon/cord_sweep.h"
 #include "ribbon/geometry/quadtree.h"
 #include "ribbon/island/island.h"
 #include "ribbon/linear/index.h"
@@ -95,12 +96,12 @@ void DirectSolver::check_cords(std::span<const IslandCord> cords, std::size_t bo
   points_.clear();
   contact_cords_.clear();
   for (std::size_t k = 0; k < cords.size(); ++k) {
-    if (k + fetched_cords < cords.size()) cords[k + fetched_cords].cord->fetch();
+    if (k + fetched_cords < cords.size()) fetch(*cords[k + fetched_cords].cord);
     const Cord& cord = *cords[k].cord;
     check_surroundings(cords[k].surroundings, bodies, cord.size(), cord.def().rows);
     check_axles(cord, cords[k].surroundings);
     points_.push_back(cord.size());
-    if (cord.meets_cords()) contact_cords_.push_back(k);
+    if (meets_cords(cord)) contact_cords_.push_back(k);
   }
 }
 

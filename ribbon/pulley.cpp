@@ -1,12 +1,16 @@
 #include "ribbon/pulley.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "ribbon/cord.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/tangent.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/system/cord_parts.h"
+#include "ribbon/system/wheel_points.h"
 
 namespace ribbon {
 namespace {
@@ -138,6 +142,46 @@ ReevedCord reeve(Vec2 first, std::span<const PulleyDef> wheels, Vec2 last, int p
   cord.positions.back() = last;
   check_points_between(cord);
   return cord;
+}
+
+namespace {
+
+void check_pulley(const CordParts& cord, int pulley) {
+  if (cord.state.pulleys.empty()) throw DefinitionError("pulley is " + std::to_string(pulley) + "; the cord has none");
+  check_range("pulley", pulley, 0, static_cast<double>(cord.state.pulleys.size()) - 1.0);
+}
+
+}  // namespace
+
+int add_pulley(Cord& cord, const PulleyDef& def) {
+  CordParts& parts = cord.parts();
+  std::vector<Pulley>& pulleys = parts.state.pulleys;
+  const auto behind =
+      std::find_if(pulleys.begin(), pulleys.end(), [&](const Pulley& other) { return other.def.before >= def.after; });
+  const auto added = pulleys.insert(behind, make_pulley(parts, def));
+  parts.leave_out_links_on_wheels();
+  parts.disturb();
+  return static_cast<int>(added - pulleys.begin());
+}
+
+void remove_pulley(Cord& cord, int pulley) {
+  CordParts& parts = cord.parts();
+  check_pulley(parts, pulley);
+  parts.state.pulleys.erase(parts.state.pulleys.begin() + pulley);
+  parts.leave_out_links_on_wheels();
+  parts.disturb();
+}
+
+void set_motor(Cord& cord, int pulley, double speed, double torque) {
+  CordParts& parts = cord.parts();
+  check_pulley(parts, pulley);
+  PulleyDef def = parts.state.pulleys[at(pulley)].def;
+  def.motor_speed = speed;
+  def.motor_torque = torque;
+  check(def, parts.def.points);
+  parts.state.pulleys[at(pulley)].def = def;
+  parts.state.pulleys[at(pulley)].motor_sign = 0.0;
+  parts.disturb();
 }
 
 }  // namespace ribbon

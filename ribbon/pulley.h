@@ -9,6 +9,8 @@
 
 namespace ribbon {
 
+class Cord;
+
 /// Defines a wheel with a groove that a rope runs around, as the wheel of a pulley or a drum. The cord never leaves the
 /// groove: where it bends away from the wheel, a keeper holds it there, as the cheeks of a block do.
 struct PulleyDef {
@@ -71,5 +73,18 @@ struct ReevedCord {
 /// DefinitionError for a value out of range, for wheels that overlap or hold an end, and unless two points lie between
 /// neighbouring wheels and one between a wheel and an end.
 ReevedCord reeve(Vec2 first, std::span<const PulleyDef> wheels, Vec2 last, int points);
+
+/// Lays a cord around a wheel, which each step then has an axle for (Surroundings::axles). The points between `before`
+/// and `after` are placed on the wheel. Returns its index: pulleys are ordered along the cord. Throws DefinitionError
+/// for a value out of range, or unless the cord runs past the wheel there with a length that differs from the
+/// definition's by less than a tenth of the part between these points. Throws CallError for a ribbon, for a cord with
+/// bending stiffness, and where a point is fixed or on another wheel. Such a cord does not sleep, and the part on a
+/// wheel is not stretched and touches nothing.
+int add_pulley(Cord& cord, const PulleyDef& def);
+/// Takes the cord off a wheel. Throws DefinitionError for an unknown pulley.
+void remove_pulley(Cord& cord, int pulley);
+/// Sets speed [rad/s, −1e6 … 1e6] and largest torque [N·m, 0 … infinity] of a motor. Throws DefinitionError for an
+/// unknown pulley or a value out of range.
+void set_motor(Cord& cord, int pulley, double speed, double torque);
 
 }  // namespace ribbon

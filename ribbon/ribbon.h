@@ -6,6 +6,8 @@
 #include "ribbon/box.h"
 #include "ribbon/cord.h"
 #include "ribbon/cord_def.h"
+#include "ribbon/cord_forces.h"
+#include "ribbon/cord_sweep.h"
 #include "ribbon/cut.h"
 #include "ribbon/definition.h"
 #include "ribbon/direct_solver.h"

@@ -50,7 +50,7 @@ class ContactListener {
     (void)sensor;
     return true;
   }
-  /// Called in each step for each of Coupling::sensor_events, in their order.
+  /// Called in each step for each of StepView::sensor_events, in their order.
   virtual void sensor_event(const SensorEvent& event) { (void)event; }
 };
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "ribbon/box2d/crossing.h"
+#include "ribbon/cord_forces.h"
+#include "ribbon/cord_sweep.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -180,7 +182,7 @@ void cut_along(CouplingParts& parts, Vec2 a, Vec2 b) {
   std::vector<BladeCut>& cuts = parts.blade_cuts;
   cuts.clear();
   for (const CoupledCord& cord : std::as_const(parts.cords)) {
-    if (!cord.enabled || !cord.is_direct() || !overlap(cord.direct().sweep().box, box)) continue;
+    if (!cord.enabled || !cord.is_direct() || !overlap(sweep_of(cord.direct()).box, box)) continue;
     find_cuts(cord, a, b, cuts);
   }
   for (std::size_t k = 0; k < cuts.size();) {
@@ -201,7 +203,7 @@ void break_overloaded(CouplingParts& parts) {
   broken.clear();
   visit_fetched(std::as_const(parts.cords).active(), CordMemory::surroundings, [&broken](const CoupledCord& cord) {
     if (!cord.enabled || !cord.is_direct() || cord.direct().is_asleep()) return;
-    if (const auto link = cord.direct().overloaded_link()) broken.emplace_back(cord.id, *link);
+    if (const auto link = overloaded_link(cord.direct())) broken.emplace_back(cord.id, *link);
   });
   for (const auto& [id, link] : broken) {
     const Cord& cord = parts.cords.at(id).direct();

@@ -1,6 +1,7 @@
 #include "ribbon/box2d/coupled_cord.h"
 
 #include "ribbon/box2d/leaf_search.h"
+#include "ribbon/cord_sweep.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -85,7 +86,7 @@ double CoupledCord::column_at(double arc) const {
 bool CoupledCord::may_be_within(Vec2 position, double distance) const {
   if (!enabled) return false;
   if (!is_direct()) return true;
-  return overlap(widened(direct().sweep().box, distance), {position, position});
+  return overlap(widened(sweep_of(direct()).box, distance), {position, position});
 }
 
 void CoupledCord::reserve() {
@@ -151,7 +152,7 @@ void fetch_coupled(const CoupledCord& cord, CordMemory what) {
 }
 
 void fetch_solver(const CoupledCord& cord) {
-  if (cord.is_direct()) cord.direct().fetch();
+  if (cord.is_direct()) fetch(cord.direct());
 }
 
 CordId CordTable::add(std::unique_ptr<CoupledCord> cord) {

@@ -121,7 +121,7 @@ auto cord_range(Pointers& cords) {
 
 /// What a loop over many cords reads of each.
 enum class CordMemory : unsigned char {
-  surroundings,  ///< of the cord of the coupling, and some of that of the solver; see Cord::fetch
+  surroundings,  ///< of the cord of the coupling, and some of that of the solver; see ribbon::fetch
   reports        ///< with the contacts, of the cord of the coupling only
 };
 /// Starts to fetch it from memory: first the cord of the coupling, and some time later that of the solver. That changes

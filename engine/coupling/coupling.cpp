@@ -7,7 +7,8 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
-#include "ribbon/box2d/impulse_report.h"
+#include "ribbon/box2d/step_cords.h"
+#include "ribbon/cord_sweep.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -60,71 +61,6 @@ void find_fixtures_that_left(CouplingParts& parts, b2World& world) {
   }
   for (const EndingTouch& ending : parts.touches.ending()) wake_if_it_left(ending.touch, parts.fixtures, world);
   for (const SensorMemory& ending : parts.sensors.ending()) find_if_it_left(ending.fixture, parts.fixtures, world);
-}
-
-/// Advances the cords of the thesis's solver.
-void step_thesis(CouplingParts& parts) {
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (cord.is_direct() || !cord.enabled) continue;
-    const Surroundings surroundings{parts.bodies.rigid, cord.circles, cord.grips};
-    cord.thesis_report = cord.thesis().step(parts.conditions.dt, parts.conditions.gravity, surroundings);
-    cord.thesis_total += cord.thesis_report;
-    const auto touches = [&](int body) {
-      parts.bodies.entries[static_cast<std::size_t>(body)].thesis_cord = cord.id;
-      parts.bodies.rigid[static_cast<std::size_t>(body)].may_sleep = false;  // cords of this solver do not sleep
-    };
-    for (const RigidCircle& circle : cord.circles) touches(circle.body);
-    for (const Grip& grip : cord.grips) touches(grip.body);
-  }
-}
-
-/// Lists the cords that the direct solver steps.
-void list_island_cords(CouplingParts& parts) {
-  const StepConditions& conditions = parts.conditions;
-  parts.island_cords.clear();
-  const bool records_pushes = parts.listener != nullptr && parts.listener->wants_impulses();
-  visit_fetched(parts.cords.active(), CordMemory::surroundings, [&](CoupledCord& cord) {
-    if (!cord.is_direct() || !cord.enabled) return;
-    const Surroundings surroundings{parts.bodies.rigid, cord.circles,          cord.grips, cord.segments, cord.axles,
-                                    conditions.medium,  conditions.medium_time};
-    cord.step_index = static_cast<int>(parts.island_cords.size());
-    parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id), records_pushes});
-  });
-}
-
-/// Stores the reports of the step by cord. Returns whether a cord may be asleep: then its report is empty.
-bool take_reports(CouplingParts& parts) {
-  std::size_t k = 0;
-  bool any_asleep = false;
-  visit_fetched(parts.cords.active(), CordMemory::reports, [&](CoupledCord& cord) {
-    if (!cord.is_direct() || !cord.enabled) return;
-    if (parts.probe) cord.error = parts.probe->error(k, cord.direct());
-    cord.report = parts.reports[k++];
-    cord.island_report = parts.solver.island_reports()[static_cast<std::size_t>(cord.report.island)];
-    const bool is_awake = cord.island_report != IslandReport{};
-    if (is_awake) cord.island_total += cord.island_report;
-    any_asleep = any_asleep || !is_awake;
-  });
-  return any_asleep;
-}
-
-/// Advances the cords of the direct solver. Returns whether one of them may be asleep.
-bool step_direct(CouplingParts& parts) {
-  const Vec2 gravity = parts.conditions.gravity;
-  const double dt = parts.conditions.dt;
-  std::vector<RigidBody>& bodies = parts.bodies.rigid;
-  list_island_cords(parts);
-  const std::span<const Tie> ties = parts.ties.of_step(parts.cords);
-  parts.reports.resize(parts.island_cords.size());
-  if (parts.probe) parts.probe->foresee(parts.island_cords, bodies, dt, gravity, ties);
-  const SolverInput input{parts.island_cords, bodies, dt, gravity, ties};
-  if (parts.watcher != nullptr) parts.watcher->before(input);
-  parts.solver.step(parts.island_cords, bodies, dt, gravity, parts.reports, ties);
-  if (parts.watcher != nullptr) parts.watcher->after(input, parts.solver.island_reports(), parts.solver.total());
-  const bool any_asleep = take_reports(parts);
-  const bool records_pushes = !parts.island_cords.empty() && parts.island_cords.front().records_pushes;
-  if (records_pushes) report_impulses(parts.cords, parts.fixtures, *parts.listener, parts.impulses);
-  return any_asleep;
 }
 
 /// Gives a body the impulse of cords of the thesis's solver. The cord gets what single precision rounds off.
@@ -208,8 +144,6 @@ std::span<const CutEvent> Coupling::cut(Vec2 from, Vec2 to) {
   cut_along(*parts_, from, to);
   return parts_->cuts.events().subspan(before);
 }
-
-std::span<const CutEvent> Coupling::cut_events() const { return parts_->cuts.events(); }
 
 std::span<const CordId> Coupling::cords() const { return parts_->cords.ids(); }
 
@@ -313,7 +247,7 @@ void Coupling::step() {
   if (any_asleep && !parts.probe && parts.watcher == nullptr) {
     parts.cords.rest_if([&](CoupledCord& cord) {
       if (!Gatherer::may_rest(cord, parts.conditions)) return false;
-      cord.resting_box = cord.direct().sweep().box;
+      cord.resting_box = sweep_of(cord.direct()).box;
       return true;
     });
   }
@@ -352,9 +286,6 @@ void Coupling::use(const ParallelFor& parallel_for) {
   parts_->solver.use(parallel_for);
 }
 
-const IslandReport& Coupling::tick_report() const { return parts_->solver.total(); }
-int Coupling::islands() const { return parts_->islands; }
-
 void Coupling::estimate_errors(bool wanted) {
   if (wanted == estimates_errors()) return;
   parts_->probe.reset();
@@ -376,8 +307,6 @@ void Coupling::set_medium(const Medium* medium) {
 
 double Coupling::medium_time() const { return parts_->medium_time; }
 void Coupling::listen(ContactListener* listener) { parts_->listener = listener; }
-std::span<const TouchEvent> Coupling::touch_events() const { return parts_->touches.events(); }
-std::span<const SensorEvent> Coupling::sensor_events() const { return parts_->sensors.events(); }
 const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }
 
 const b2Fixture* Coupling::fixture(std::uint64_t number, const b2World& world) const {

@@ -96,9 +96,6 @@ class Coupling {
   /// pieces, by a cut of a piece each time. Valid until the next cut or step. Throws DefinitionError for a coordinate
   /// beyond ±1e9, and CallError as CordRef::cut does.
   std::span<const CutEvent> cut(Vec2 from, Vec2 to);
-  /// Returns the cuts by calls before the last step and by links that broke in it, and behind them those by calls since
-  /// then, in this order. Valid until the next cut, step or restore.
-  std::span<const CutEvent> cut_events() const;
   /// Returns the handle of a cord, existing or not.
   CordRef cord(CordId cord) { return {*parts_, cord}; }
   /// Returns the handle of a cord for reading.
@@ -133,12 +130,12 @@ class Coupling {
   /// Returns the handle of a tie for reading.
   TieView tie(TieId tie) const { return {*parts_, tie}; }
   /// Lays a cord around a wheel that a body carries: a static or kinematic body, or a dynamic one such as the block of
-  /// a tackle. The centre is where the wheel is now, and stays at that place of the body; see Cord::add_pulley and
+  /// a tackle. The centre is where the wheel is now, and stays at that place of the body; see ribbon::add_pulley and
   /// reeve. The wheel is part of the pulley, not a body: its angle is in PulleyState. The cord touches nothing on the
   /// wheel. Give the body a circle there, of the radius of the groove less that of the cord and not more: what is
   /// pulled to the wheel stops at it. A pulley ends when it is removed, when a cut goes through the cord on its wheel,
   /// when its cord is removed, replaced or disabled, and when its body is gone or disabled. Throws CallError and
-  /// DefinitionError as Cord::add_pulley does, and CallError for a cord that does not exist, is disabled or of the
+  /// DefinitionError as ribbon::add_pulley does, and CallError for a cord that does not exist, is disabled or of the
   /// thesis's solver, where a grip or a tie would be on the wheel, inside world.Step and between gather and apply.
   PulleyId add_pulley(CordId cord, b2Body& body, const PulleyDef& def);
   /// Returns the handle of a pulley, existing or not.
@@ -169,10 +166,8 @@ class Coupling {
   /// DefinitionError for less than one worker.
   void use(const ParallelFor& parallel_for);
 
-  /// Returns the sum of the reports of all islands of the direct solver in the last step.
-  const IslandReport& tick_report() const;
-  /// Returns the number of islands of the direct solver in the last step.
-  int islands() const;
+  /// Returns the handle of what the last step did: its report and its events.
+  StepView last_step() const { return StepView(*parts_); }
   /// Starts or stops to estimate the error of each tick of the cords of the direct solver; see ErrorProbe. An estimate
   /// costs as much as four ticks and does not change the motion.
   void estimate_errors(bool wanted);
@@ -193,17 +188,6 @@ class Coupling {
   /// Returns the time for which the medium is asked at the start of the next tick: the time that ticks with a medium
   /// took so far, s. It is part of the state.
   double medium_time() const;
-  /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord. For each cord the
-  /// ends come first; both are ordered by fixture number. Valid until the next step or restore.
-  std::span<const TouchEvent> touch_events() const;
-  /// Returns the overlaps of cords with sensors (b2FixtureDef::isSensor) that began or ended in the last step, each
-  /// pair once, in the order of touch_events. As Box2D does for two fixtures, the step looks where cords and sensors
-  /// are when it begins: what passes a sensor within one tick is not found. The sensor may belong to any body, also to
-  /// one that holds the cord, and is neither moved nor woken, nor is the cord. An overlap ends too when the cord is
-  /// removed, cut, disabled or replaced by one elsewhere, when the fixture or its body is destroyed or disabled or is
-  /// no longer a sensor, when a filter excludes it, and when ContactListener::should_meet_sensor refuses it. The inside
-  /// of a ribbon counts. Without a sensor near a cord it costs nothing. Valid until the next step or restore.
-  std::span<const SensorEvent> sensor_events() const;
   /// Returns the fixture with a number from CordView::touching or CordView::sensors, or null if it was destroyed before
   /// the last gather or with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use the next
   /// function.

@@ -226,6 +226,29 @@ void add(Hasher& hasher, const Pulley& pulley) {
   hasher.add(static_cast<int>(kept));
 }
 
+void add(Hasher& hasher, const Cord::Holder& holder) {
+  const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] = holder;
+  hasher.add(point);
+  hasher.add(velocity);
+  hasher.add(turning);
+  hasher.add(acceleration);
+  hasher.add(angular_acceleration);
+  hasher.add(grip);
+  hasher.add(pull);
+  hasher.add(slid);
+}
+
+void add(Hasher& hasher, const Touch& touch) {
+  const auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] = touch;
+  hasher.add(other);
+  hasher.add(feature);
+  hasher.add(other_feature);
+  for (const double number : {force, stuck, impulse}) hasher.add(number);
+  hasher.add(point);
+  hasher.add(normal);
+  if (!(push == Vec2{})) hasher.add(push);  // only where it is recorded
+}
+
 }  // namespace
 
 void add_to(Hasher& hasher, const Cord::State& state) {
@@ -247,26 +270,9 @@ void add_to(Hasher& hasher, const Cord::State& state) {
   if (split) hasher.add(1);
   for (const PointKind kind : kinds) hasher.add(static_cast<int>(kind));
   hasher.add(holders.size());
-  for (const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] : holders) {
-    hasher.add(point);
-    hasher.add(velocity);
-    hasher.add(turning);
-    hasher.add(acceleration);
-    hasher.add(angular_acceleration);
-    hasher.add(grip);
-    hasher.add(pull);
-    hasher.add(slid);
-  }
+  for (const Cord::Holder& holder : holders) add(hasher, holder);
   hasher.add(touches.size());
-  for (const auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] : touches) {
-    hasher.add(other);
-    hasher.add(feature);
-    hasher.add(other_feature);
-    for (const double number : {force, stuck, impulse}) hasher.add(number);
-    hasher.add(point);
-    hasher.add(normal);
-    if (!(push == Vec2{})) hasher.add(push);  // only where it is recorded
-  }
+  for (const Touch& touch : touches) add(hasher, touch);
   hasher.add(static_cast<int>(touch_changed));
   hasher.add(regainable_energy);
   hasher.add(energy_drift);

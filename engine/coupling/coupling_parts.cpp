@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "ribbon/cord_forces.h"
+
 namespace ribbon::box2d {
 namespace {
 
@@ -70,7 +72,7 @@ Vec2 CouplingParts::pull(const BodyGrip& grip) const {
     return other.drives_point && other.cord == grip.cord && other.point == grip.point;
   };
   const auto drives = std::count_if(grips.all().begin(), grips.all().end(), drives_it);
-  return (-1.0 / static_cast<double>(drives)) * cord.holding_force(grip.point, conditions.gravity);
+  return (-1.0 / static_cast<double>(drives)) * holding_force(cord, grip.point, conditions.gravity);
 }
 
 bool CouplingParts::release(GripId grip) {

@@ -192,7 +192,7 @@ struct CouplingState {
   std::uint64_t next_fixture = 1;            ///< number of the next fixture
   std::vector<Event> events;                 ///< of the last tick, by cord and fixture
   std::vector<EndingTouch> ending;           ///< by cord and fixture
-  std::vector<CutEvent> cuts;                ///< see Coupling::cut_events
+  std::vector<CutEvent> cuts;                ///< see StepView::cut_events
   std::size_t old_cuts = 0;                  ///< how many of them are of the last tick
   std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
   std::vector<SensorMemory> ending_sensors;  ///< by cord and fixture

@@ -8,6 +8,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/fixture_shapes.h"
+#include "ribbon/cord_sweep.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -60,7 +61,7 @@ Box swept_aabb(const ThesisCord& cord, const StepConditions& conditions) {
 /// now.
 Box swept_aabb(const Cord& cord, const StepConditions& conditions) {
   const auto& [gravity, dt, medium, time] = conditions;
-  const Cord::Sweep sweep = cord.sweep();
+  const CordSweep sweep = sweep_of(cord);
   const double snap2 = 2.0 * snap * snap * sweep.elastic / (cord.def().mass_per_length * cord.def().length);
   const Vec2 fall = cord.def().gravity_scale * gravity;
   double distance = direct_margin * distance_in_tick(std::max(snap2, sweep.speed2), fall, dt);
@@ -147,7 +148,7 @@ void Gatherer::find_fixtures(b2World& world, const StepConditions& conditions, C
 void Gatherer::activate_changed(CordTable& cords) {
   const auto is_changed = [](const CoupledCord& coupled) {
     const Cord& cord = coupled.direct();
-    return !cord.is_asleep() || !cord.remembers_sweep() || !(cord.sweep().box == coupled.resting_box);
+    return !cord.is_asleep() || !remembers_sweep(cord) || !(sweep_of(cord).box == coupled.resting_box);
   };
   bool any = false;
   visit_fetched(cords.resting(), CordMemory::surroundings,
@@ -157,7 +158,7 @@ void Gatherer::activate_changed(CordTable& cords) {
 
 bool Gatherer::may_rest(const CoupledCord& cord, const StepConditions& conditions) {
   if (cord.island_report != IslandReport{}) return false;  // it is awake; this report is at hand, the cord may be far
-  if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || cord.direct().meets_cords()) return false;
+  if (!cord.enabled || !cord.is_direct() || !cord.direct().is_asleep() || meets_cords(cord.direct())) return false;
   if (conditions.medium != nullptr && feels_medium(cord.direct().def())) return false;  // it may change
   if (!cord.near.empty() || !cord.grips.empty() || cord.tied || !cord.touching.empty() || !cord.touching_before.empty())
     return false;

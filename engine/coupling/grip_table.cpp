@@ -8,6 +8,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/near_finder.h"
 #include "ribbon/box2d/velocity_carry.h"
+#include "ribbon/cord_forces.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -227,7 +228,7 @@ void GripTable::follow(const CordTable& cords, Vec2 gravity) {
       if (held == nullptr) continue;  // it was released since gather
       held->slipped_off = follow_grip(*held, cord, k) && !stops_at(cord, held->point, held->id);
       if (held->drives_point && held->may_slip() && cord.direct().kind(held->point) == PointKind::free) {
-        held->pull = -cord.direct().holding_force(held->point, gravity);  // tells whether a bend still catches it
+        held->pull = -holding_force(cord.direct(), held->point, gravity);  // tells whether a bend still catches it
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
+#include "ribbon/pulley.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -180,7 +181,7 @@ PulleyState PulleyView::state() const {
 
 void PulleyRef::set_motor(double speed, double torque) const {
   const BodyPulley& pulley = parts_->pulleys.at(id());
-  parts_->cords.at(pulley.cord).direct().set_motor(pulley.index, speed, torque);
+  ribbon::set_motor(parts_->cords.at(pulley.cord).direct(), pulley.index, speed, torque);
 }
 
 bool PulleyRef::remove() const {
@@ -230,5 +231,11 @@ bool BodyRef::release() const {
   parts_->grips.forget(*body_);
   return true;
 }
+
+const IslandReport& StepView::report() const { return parts_->solver.total(); }
+int StepView::islands() const { return parts_->islands; }
+std::span<const TouchEvent> StepView::touch_events() const { return parts_->touches.events(); }
+std::span<const SensorEvent> StepView::sensor_events() const { return parts_->sensors.events(); }
+std::span<const CutEvent> StepView::cut_events() const { return parts_->cuts.events(); }
 
 }  // namespace ribbon::box2d

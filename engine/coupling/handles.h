@@ -53,7 +53,7 @@ class CordView {
   std::uintptr_t user_data() const;                ///< initially 0
   std::span<const FixtureTouch> touching() const;  ///< contacts in the last step, by fixture number; direct solver only
   /// Returns the numbers of the sensors that the cord overlapped in the last step, ascending; see
-  /// Coupling::sensor_events and Coupling::fixture.
+  /// StepView::sensor_events and Coupling::fixture.
   std::span<const std::uint64_t> sensors() const;
   std::span<const NearShape> near() const;  ///< not sensors; valid until the next gather or a fixture's destruction
   /// Returns the number of circles and edges that the cord could have touched in the last tick.
@@ -224,6 +224,35 @@ class TieRef : public TieView {
 
  private:
   CouplingParts* parts_;
+};
+
+/// What the last step of a coupling did, for reading: a small handle like CordView. It always shows the newest step.
+class StepView {
+ public:
+  /// Returns the handle of the last step; Coupling::last_step calls this.
+  explicit StepView(const CouplingParts& parts) : parts_(&parts) {}
+
+  /// Returns the sum of the reports of all islands of the direct solver in the last step.
+  const IslandReport& report() const;
+  /// Returns the number of islands of the direct solver in the last step.
+  int islands() const;
+  /// Returns the contacts of the direct solver that began or ended in the last step, ordered by cord. For each cord the
+  /// ends come first; both are ordered by fixture number. Valid until the next step or restore.
+  std::span<const TouchEvent> touch_events() const;
+  /// Returns the overlaps of cords with sensors (b2FixtureDef::isSensor) that began or ended in the last step, each
+  /// pair once, in the order of touch_events. As Box2D does for two fixtures, the step looks where cords and sensors
+  /// are when it begins: what passes a sensor within one tick is not found. The sensor may belong to any body, also to
+  /// one that holds the cord, and is neither moved nor woken, nor is the cord. An overlap ends too when the cord is
+  /// removed, cut, disabled or replaced by one elsewhere, when the fixture or its body is destroyed or disabled or is
+  /// no longer a sensor, when a filter excludes it, and when ContactListener::should_meet_sensor refuses it. The inside
+  /// of a ribbon counts. Without a sensor near a cord it costs nothing. Valid until the next step or restore.
+  std::span<const SensorEvent> sensor_events() const;
+  /// Returns the cuts by calls before the last step and by links that broke in it, and behind them those by calls since
+  /// then, in this order. Valid until the next cut, step or restore.
+  std::span<const CutEvent> cut_events() const;
+
+ private:
+  const CouplingParts* parts_;
 };
 
 /// A body of Box2D as the coupling sees it, for reading: a small handle like CordView, also for bodies that no cord has

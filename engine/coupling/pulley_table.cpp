@@ -6,11 +6,12 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/near_finder.h"
 #include "ribbon/definition.h"
+#include "ribbon/pulley.h"
 
 namespace ribbon::box2d {
 
 PulleyId PulleyTable::add(CoupledCord& cord, b2Body& body, const PulleyDef& def) {
-  const int index = cord.direct().add_pulley(def);
+  const int index = add_pulley(cord.direct(), def);
   for (BodyPulley& other : pulleys_) {
     if (other.cord == cord.id && other.index >= index) ++other.index;
   }
@@ -24,7 +25,7 @@ void PulleyTable::remove(PulleyId id, CordTable& cords) {
   if (place == pulleys_.end()) return;
   const BodyPulley removed = *place;
   pulleys_.erase(place);
-  cords.at(removed.cord).direct().remove_pulley(removed.index);
+  remove_pulley(cords.at(removed.cord).direct(), removed.index);
   for (BodyPulley& other : pulleys_) {
     if (other.cord == removed.cord && other.index > removed.index) --other.index;
   }
@@ -32,7 +33,7 @@ void PulleyTable::remove(PulleyId id, CordTable& cords) {
 
 void PulleyTable::remove_all(CoupledCord& cord) {
   if (!cord.is_direct()) return;
-  while (!cord.direct().pulleys().empty()) cord.direct().remove_pulley(0);
+  while (!cord.direct().pulleys().empty()) remove_pulley(cord.direct(), 0);
   std::erase_if(pulleys_, [&cord](const BodyPulley& pulley) { return pulley.cord == cord.id; });
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/definition.h"
 #include "ribbon/linear/disjoint_sets.h"
 
@@ -120,8 +121,8 @@ void check_connections(std::span<const TieMemory> ties) {
 Vec2 tie_force(const TieMemory& tie, const CordTable& cords, Vec2 gravity) {
   const CoupledCord& cord = cords.at(tie.place.cord);
   const CoupledCord& other = cords.at(tie.other.cord);
-  if (!is_held(other, tie.other.point)) return -other.direct().holding_force(tie.other.point, gravity);
-  if (!is_held(cord, tie.place.point)) return cord.direct().holding_force(tie.place.point, gravity);
+  if (!is_held(other, tie.other.point)) return -holding_force(other.direct(), tie.other.point, gravity);
+  if (!is_held(cord, tie.place.point)) return holding_force(cord.direct(), tie.place.point, gravity);
   return {};
 }
 

@@ -9,15 +9,12 @@
 
 #include "engine/draw/arcs.h"
 #include "engine/draw/line_profile.h"
+#include "engine/draw/mesh_limits.h"
 
 namespace engine {
 namespace {
 
 using ribbon::Vec2;
-
-constexpr double max_coordinate = 1e12;   // px; above it doubles do not resolve a pixel
-constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
-constexpr double merge_distance = 0.01;   // px; points closer than this are merged
 
 bool drawable(double x) { return std::abs(x) <= max_coordinate; }  // false for NaN
 bool drawable(Vec2 p) { return drawable(p.x) && drawable(p.y); }
@@ -78,18 +75,18 @@ Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double orientation) {
   return (1.0 / std::max(1.0 + dot(in, out), 0.25)) * (in + out);
 }
 
-using Edge = std::pair<int, int>;
+using IndexPair = std::pair<int, int>;
 
 /// Returns the edges that belong to one triangle only.
-std::vector<Edge> boundary(std::span<const int> indices) {
-  std::vector<Edge> edges;
+std::vector<IndexPair> boundary(std::span<const int> indices) {
+  std::vector<IndexPair> edges;
   edges.reserve(indices.size());
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-    for (const auto& [a, b] :
-         {Edge{indices[i], indices[i + 1]}, Edge{indices[i + 1], indices[i + 2]}, Edge{indices[i + 2], indices[i]}})
+    for (const auto& [a, b] : {IndexPair{indices[i], indices[i + 1]}, IndexPair{indices[i + 1], indices[i + 2]},
+                               IndexPair{indices[i + 2], indices[i]}})
       edges.emplace_back(std::min(a, b), std::max(a, b));
   std::sort(edges.begin(), edges.end());
-  std::vector<Edge> single;
+  std::vector<IndexPair> single;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t next = i + 1;
     while (next < edges.size() && edges[next] == edges[i]) ++next;

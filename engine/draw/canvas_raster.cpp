@@ -21,10 +21,12 @@ std::uint32_t blend(std::uint32_t below, std::uint32_t color, int alpha) {
 /// Returns cover · opacity; 255 stands for 1.
 int alpha_of(std::uint8_t cover, int opacity) { return (cover * opacity + 127) / 255; }
 
-constexpr unsigned block = 32;  // px of a row that share a mark
+constexpr unsigned marked_pixels = 32;  // px of a row that share a mark
 
 /// Returns how many words the marks of a row have.
-std::size_t words_of(int width) { return (static_cast<std::size_t>(width) + 64 * block - 1) / (64 * block); }
+std::size_t words_of(int width) {
+  return (static_cast<std::size_t>(width) + 64 * marked_pixels - 1) / (64 * marked_pixels);
+}
 
 void blend_one(std::uint32_t& pixel, std::uint8_t cover, std::uint32_t rgb, int opacity) {
   if (cover > 0) pixel = blend(pixel, rgb, alpha_of(cover, opacity));
@@ -65,8 +67,8 @@ void Raster::fill_row(int row, std::uint32_t rgb) {
 /// Marks the blocks of a row that have these pixels, at least one.
 void Raster::mark(int y, int begin, int end) {
   std::uint64_t* const row = marks_.data() + words_of(width_) * static_cast<std::size_t>(y);
-  const auto first = static_cast<unsigned>(begin) / block;
-  const auto last = static_cast<unsigned>(end - 1) / block;
+  const auto first = static_cast<unsigned>(begin) / marked_pixels;
+  const auto last = static_cast<unsigned>(end - 1) / marked_pixels;
   for (unsigned word = first / 64; word <= last / 64; ++word) {
     const unsigned low = word == first / 64 ? first % 64 : 0;
     const unsigned high = word == last / 64 ? last % 64 : 63;
@@ -79,8 +81,9 @@ void Raster::blend_row(int y, std::uint32_t rgb, int opacity) {
   std::uint64_t* const row = marks_.data() + words_of(width_) * static_cast<std::size_t>(y);
   for (std::size_t word = 0; word < words_of(width_); ++word) {
     for (; row[word] != 0; row[word] &= row[word] - 1) {
-      const int begin = static_cast<int>((word * 64 + static_cast<unsigned>(std::countr_zero(row[word]))) * block);
-      const int count = std::min(static_cast<int>(block), width_ - begin);
+      const int begin =
+          static_cast<int>((word * 64 + static_cast<unsigned>(std::countr_zero(row[word]))) * marked_pixels);
+      const int count = std::min(static_cast<int>(marked_pixels), width_ - begin);
       std::uint8_t* const cover = cover_.data() + line + begin;
       blend_covered(pixels_.data() + line + begin, {cover, static_cast<std::size_t>(count)}, rgb, opacity);
       std::fill_n(cover, count, std::uint8_t{0});

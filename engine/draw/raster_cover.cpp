@@ -24,10 +24,10 @@ std::uint8_t byte_of(double cover) {
   return static_cast<std::uint8_t>(above);
 }
 
-using Row = std::span<std::uint8_t>;
+using CoverRow = std::span<std::uint8_t>;
 
 /// Raises the cover of a row of pixels to a value where it is lower.
-void raise(Row cover, std::uint8_t value) {
+void raise(CoverRow cover, std::uint8_t value) {
   constexpr std::size_t many = 32;
   if (value == 255 && cover.size() >= many) {
     std::fill(cover.begin(), cover.end(), value);
@@ -37,7 +37,7 @@ void raise(Row cover, std::uint8_t value) {
 }
 
 /// Raises it to a value that changes along the row. `first`: at the first pixel, `per_x`: per pixel.
-void raise(Row cover, double first, double per_x) {
+void raise(CoverRow cover, double first, double per_x) {
   const double here = units * first;
   const double step = units * per_x;
   const double last = here + step * static_cast<double>(cover.size());
@@ -98,7 +98,7 @@ struct Slope {
 
 /// The pixels of a row that are in a bar.
 struct BarRow {
-  Row cover;
+  CoverRow cover;
   double x;                  // the middle of the first one, from the start of the bar
   int core_begin, core_end;  // from the first one
 };
@@ -118,7 +118,7 @@ void raise_across(const BarRow& row, double distance, double per_x, const Profil
 }
 
 /// Raises the cover along a row that crosses a circle. `x` and `y`: the first pixel, from its middle.
-void raise_around(Row cover, double x, double y, const MeshRing& ring) {
+void raise_around(CoverRow cover, double x, double y, const MeshRing& ring) {
   const double scale = ring.profile.cover / (ring.profile.outer - ring.profile.core);
   const double squared = y * y;
   for (std::size_t k = 0; k < cover.size(); ++k) {
@@ -216,7 +216,7 @@ class Raster::CoverPainter {
     return {first_pixel(origin + part.begin, 0, raster_.width_), first_pixel(origin + part.end, 0, raster_.width_)};
   }
   /// Returns the cover of at least one pixel of a row.
-  Row row(int y, Pixels pixels) {
+  CoverRow row(int y, Pixels pixels) {
     raster_.mark(y, pixels.begin, pixels.end);
     std::uint8_t* const line = raster_.cover_.data() + static_cast<std::ptrdiff_t>(y) * raster_.width_;
     return {line + pixels.begin, line + pixels.end};

@@ -21,7 +21,7 @@ std::uint32_t color_at(const Raster::Skyline& look, int row) {
 
 int column(double x, int width) { return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, 1.0 * width)); }
 
-constexpr std::size_t block = 32;  // px, columns that are compared with a row together
+constexpr std::size_t block_columns = 32;  // px, columns that are compared with a row together
 
 /// The smallest and the largest y of the line in each block of columns.
 struct Block {
@@ -30,9 +30,9 @@ struct Block {
 };
 
 std::vector<Block> blocks_of(const std::vector<float>& edges) {
-  std::vector<Block> blocks((edges.size() + block - 1) / block);
+  std::vector<Block> blocks((edges.size() + block_columns - 1) / block_columns);
   for (std::size_t x = 0; x < edges.size(); ++x) {
-    Block& own = blocks[x / block];
+    Block& own = blocks[x / block_columns];
     own = {std::min(own.least, edges[x]), std::max(own.most, edges[x])};
   }
   return blocks;
@@ -46,8 +46,8 @@ void fill_where(std::uint32_t* pixel, const std::vector<float>& edges, const std
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const Block own = blocks[k];
     if (is_above ? own.most < lower : own.least > upper) continue;
-    const std::size_t begin = k * block;
-    const std::size_t end = std::min(begin + block, edges.size());
+    const std::size_t begin = k * block_columns;
+    const std::size_t end = std::min(begin + block_columns, edges.size());
     if (is_above ? own.least >= lower : own.most <= upper) {
       std::fill(pixel + begin, pixel + end, rgb);
     } else if (is_above) {

@@ -119,7 +119,7 @@ ColorRamp::Channels channels_of(Two blue_and_green, Two red_and_alpha) {
 }
 
 /// The pixels of a row that are in a triangle.
-struct Row {
+struct TexelRow {
   std::uint32_t* pixel;
   int count;
   double x, y;  // the middle of the first one
@@ -146,7 +146,7 @@ struct Target {
       const int begin = first_pixel(std::min(long_x, short_x), left, right);
       const int end = first_pixel(std::max(long_x, short_x), left, right);
       if (begin < end)
-        paint(Row{pixels + static_cast<std::ptrdiff_t>(y) * width + begin, end - begin, begin + 0.5, middle});
+        paint(TexelRow{pixels + static_cast<std::ptrdiff_t>(y) * width + begin, end - begin, begin + 0.5, middle});
     }
   }
 };
@@ -167,12 +167,12 @@ class RowRamps {
   struct Position {
     Ramp u, v;
   };
-  Position position(const Row& row) const {
+  Position position(const TexelRow& row) const {
     const Two here = scales_ * planes_.at(uv, row.x, row.y);
     const Two step = scales_ * planes_.per_x(uv);
     return {{fixed(here[0]), fixed(step[0])}, {fixed(here[1]), fixed(step[1])}};
   }
-  ColorRamp color(const Row& row) const {
+  ColorRamp color(const TexelRow& row) const {
     ColorRamp color = color_;
     if (varies_) color.here = channels_of(planes_.at(blue_green, row.x, row.y), planes_.at(red_alpha, row.x, row.y));
     return color;
@@ -187,7 +187,7 @@ class RowRamps {
 
 /// Paints a row of an image with interpolation. `u` and `v`: relative to the middles of texels.
 template <bool repeats>
-void paint_linear(const Row& row, const Texels& texels, const Ramp& u, const Ramp& v, const ColorRamp& color) {
+void paint_linear(const TexelRow& row, const Texels& texels, const Ramp& u, const Ramp& v, const ColorRamp& color) {
   if (is_inside(u, row.count, texels.width()) && is_inside(v, row.count, texels.height())) {
     const NeighboursInside inside{texels.data(), static_cast<std::ptrdiff_t>(texels.width())};
     paint_image(row.pixel, row.count, Linear(inside, u, v), color, texels.is_opaque());
@@ -198,7 +198,7 @@ void paint_linear(const Row& row, const Texels& texels, const Ramp& u, const Ram
 
 /// Paints a row of an image. `repeats`: along u.
 template <bool repeats>
-void paint_row(const Row& row, const Texels& texels, Filter filter, const RowRamps& ramps,
+void paint_row(const TexelRow& row, const Texels& texels, Filter filter, const RowRamps& ramps,
                std::vector<std::uint32_t>& store) {
   const auto [u, v] = ramps.position(row);
   const ColorRamp color = ramps.color(row);
@@ -214,7 +214,7 @@ void paint_row(const Row& row, const Texels& texels, Filter filter, const RowRam
 }
 
 /// Paints a row without an image.
-void paint_plain(const Row& row, const ColorRamp& color) {
+void paint_plain(const TexelRow& row, const ColorRamp& color) {
   if (color.is_constant()) return paint_flat(row.pixel, row.count, EvenTint(color)(Plain{}.pair()));
   paint_pairs<false>(row.pixel, row.count, Plain{}, RampTint(color));
 }
@@ -257,14 +257,14 @@ class Raster::Painter {
                         has_one_color ? blue_green : pairs_of_quantities);
     if (image == nullptr) {
       const RowRamps ramps(planes, triangle, has_one_color, Two{1.0, 1.0});
-      return target_.each_row(triangle, [&](const Row& row) { paint_plain(row, ramps.color(row)); });
+      return target_.each_row(triangle, [&](const TexelRow& row) { paint_plain(row, ramps.color(row)); });
     }
     const Image::Level& level = image->level(planes.texels_per_pixel());
     const RowRamps ramps(planes, triangle, has_one_color,
                          Two{level.width / image_size_.x, level.height / image_size_.y});
     const Texels texels(level, texture_);
     const auto paint_rows = [&](auto paint) {
-      target_.each_row(triangle, [&](const Row& row) { paint(row, texels, texture_.filter, ramps, store_); });
+      target_.each_row(triangle, [&](const TexelRow& row) { paint(row, texels, texture_.filter, ramps, store_); });
     };
     texels.repeats_along_u() ? paint_rows(paint_row<true>) : paint_rows(paint_row<false>);
   }

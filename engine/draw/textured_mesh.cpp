@@ -8,6 +8,7 @@
 
 #include "engine/draw/arcs.h"
 #include "engine/draw/line_profile.h"
+#include "engine/draw/mesh_limits.h"
 #include "engine/draw/straight.h"
 
 namespace engine {
@@ -15,11 +16,8 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double max_coordinate = 1e12;   // px
-constexpr double max_uv = 1e6;            // above it the fixed-point numbers of the rasteriser do not resolve a texel
-constexpr double merge_distance = 0.01;   // px; points closer than this are merged
-constexpr double max_mitre_turn = 0.2;    // rad; sharper corners are round outside
-constexpr double min_double_area = 1e-9;  // px², twice the area of the smallest triangle that is drawn
+constexpr double max_uv = 1e6;          // above it the fixed-point numbers of the rasteriser do not resolve a texel
+constexpr double max_mitre_turn = 0.2;  // rad; sharper corners are round outside
 
 bool within(double x, double limit) { return std::abs(x) <= limit; }  // false for NaN
 bool within(Vec2 p, double limit) { return within(p.x, limit) && within(p.y, limit); }

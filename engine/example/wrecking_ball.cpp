@@ -57,8 +57,8 @@ struct Game {
 
   void tick(float push) {
     ball->ApplyForceToCenter({push, 0.0F}, true);
-    cords.tick(world, dt);                                                           // in place of world.Step
-    for (const auto& touch : cords.touch_events()) touches += touch.begins ? 1 : 0;  // in this tick
+    cords.tick(world, dt);  // in place of world.Step
+    for (const auto& touch : cords.last_step().touch_events()) touches += touch.begins ? 1 : 0;  // in this tick
   }
 
   void save(Saved& saved) const {

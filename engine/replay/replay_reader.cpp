@@ -53,9 +53,9 @@ RecordedTick parse_tick(std::span<const std::uint8_t> body, std::size_t part_cou
 
 /// Reads a stream with one record in memory at a time. A size in the file never causes an allocation before its bytes
 /// are read.
-class Reader {
+class RecordingReader {
  public:
-  Reader(std::istream& in, const std::string& name) : in_(in), name_(name) {}
+  RecordingReader(std::istream& in, const std::string& name) : in_(in), name_(name) {}
 
   Replay read() {
     read_version();
@@ -95,7 +95,7 @@ class Reader {
 };
 
 /// Reads `count` more bytes of the record. Returns false if the file ends before.
-bool Reader::append(std::size_t count) {
+bool RecordingReader::append(std::size_t count) {
   const std::size_t had = record_.size();
   record_.resize(had + count);
   in_.read(reinterpret_cast<char*>(record_.data() + had), static_cast<std::streamsize>(count));
@@ -107,7 +107,7 @@ bool Reader::append(std::size_t count) {
 }
 
 /// Reads up to and including a line feed. Returns false if there is none within `max_bytes` or the file.
-bool Reader::append_line(std::size_t max_bytes) {
+bool RecordingReader::append_line(std::size_t max_bytes) {
   for (std::size_t i = 0; i < max_bytes && append(1); ++i) {
     if (record_.back() == '\n') return true;
   }
@@ -115,7 +115,7 @@ bool Reader::append_line(std::size_t max_bytes) {
 }
 
 /// Checks the checksum of the record and returns the bytes before it.
-std::span<const std::uint8_t> Reader::checked_content() {
+std::span<const std::uint8_t> RecordingReader::checked_content() {
   const std::span<const std::uint8_t> record(record_);
   const auto content = record.first(record.size() - checksum_bytes);
   std::span<const std::uint8_t> rest = record.last(checksum_bytes);
@@ -128,7 +128,7 @@ std::span<const std::uint8_t> Reader::checked_content() {
   return content;
 }
 
-void Reader::read_version() {
+void RecordingReader::read_version() {
   constexpr std::size_t max_first_line = 64;
   const std::string expected = std::string(magic) + std::to_string(version);
   const bool whole = append_line(max_first_line);
@@ -145,7 +145,7 @@ void Reader::read_version() {
   }
 }
 
-void Reader::read_header() {
+void RecordingReader::read_header() {
   const std::uint64_t start = offset_;
   const std::size_t first_line = record_.size();
   if (!append_line(max_header_bytes)) {
@@ -163,7 +163,7 @@ void Reader::read_header() {
 }
 
 /// Reads one record. Returns false at the end of the replay, complete or cut short.
-bool Reader::read_record() {
+bool RecordingReader::read_record() {
   record_.clear();
   record_start_ = offset_;
   if (!append(1)) return false;
@@ -173,7 +173,7 @@ bool Reader::read_record() {
               ", accepted is \"T\" or \"E\"");
 }
 
-bool Reader::read_tick() {
+bool RecordingReader::read_tick() {
   if (!append(tick_head_bytes - 1)) return false;
   auto head = std::span<const std::uint8_t>(record_).subspan(1);
   const auto flagged = take<std::uint16_t>(head);
@@ -197,7 +197,7 @@ bool Reader::read_tick() {
   return true;
 }
 
-bool Reader::read_end() {
+bool RecordingReader::read_end() {
   if (!append(end_bytes - 1)) return false;
   auto content = checked_content().subspan(1);
   const auto count = take<std::uint32_t>(content);
@@ -213,7 +213,7 @@ bool Reader::read_end() {
 
 }  // namespace
 
-Replay read_replay(std::istream& in, const std::string& name) { return Reader(in, name).read(); }
+Replay read_replay(std::istream& in, const std::string& name) { return RecordingReader(in, name).read(); }
 
 Replay load_replay(const std::string& path) {
   std::ifstream in;

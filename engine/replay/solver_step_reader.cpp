@@ -39,9 +39,9 @@ template <typename T>
 void read(const Place& place, const json& from, T& to);
 
 /// Reads the fields of one object. Missing and unknown fields are errors.
-class Reader {
+class FieldReader {
  public:
-  Reader(const Place& place, const json& object) : place_(place), object_(object) {
+  FieldReader(const Place& place, const json& object) : place_(place), object_(object) {
     if (!object.is_object()) refuse(place, object, "an object");
   }
 
@@ -143,7 +143,7 @@ void read(const Place& place, const json& from, T& to) {
   } else if constexpr (std::integral<T>) {
     read_whole<T>(place, from, to, std::numeric_limits<T>::min(), std::numeric_limits<T>::max());
   } else {
-    Reader reader(place, from);
+    FieldReader reader(place, from);
     fields(reader, to);
     reader.check_rest();
   }
@@ -151,7 +151,7 @@ void read(const Place& place, const json& from, T& to) {
 
 SolverStep read_file(const json& file) {
   const Place root{nullptr, "the file"};
-  Reader reader(root, file);
+  FieldReader reader(root, file);
   int version = 0;
   reader("solver_step", version);
   if (version != step_fields::solver_step_version) {

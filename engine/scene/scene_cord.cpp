@@ -24,10 +24,6 @@ const Choices direct_properties = {
     "allow_sleep",   "max_work",       "solid",          "soft_contacts", "gravity_scale",     "breaking_force",
     "drag_across",   "drag_along",     "displaced_area", "at_rest"};
 
-bool contains(Choices choices, std::string_view text) {
-  return std::find(choices.begin(), choices.end(), text) != choices.end();
-}
-
 /// Throws MapError for unknown properties. `own`: properties of the cord's solver; `others`: those of the other solver.
 void check_properties(const MapObject& object, ribbon::box2d::Solver solver, Choices own, Choices others) {
   for (const std::string_view property : others) {

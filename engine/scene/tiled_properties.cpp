@@ -14,11 +14,11 @@ std::string text_in_words(Choices choices) {
   return choices.size() == 0 ? "a text" : "one of " + list_in_words(choices);
 }
 
+}  // namespace
+
 bool contains(Choices choices, std::string_view text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
 }
-
-}  // namespace
 
 double Properties::number(std::string_view key, NumberRange accepted) const {
   const Value& value = require(key, range_in_words(accepted));

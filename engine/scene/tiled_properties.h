@@ -21,6 +21,9 @@ class MapError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Returns whether the text is one of the choices.
+bool contains(Choices choices, std::string_view text);
+
 /// The custom properties of a map or of one object, read by name and type. The readers throw a MapError if the property
 /// has another type, is out of range, or is missing; those with `_or` return the fallback, unchecked, if it is missing.
 class Properties {

@@ -23,7 +23,7 @@ Frame frame_of(const Scene& scene) {
   for (const b2Body* body = scene.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() == b2_dynamicBody) frame.bodies.push_back(box2d::to_double(body->GetPosition()));
   }
-  frame.work = scene.coupling.tick_report().work;
+  frame.work = scene.coupling.last_step().report().work;
   return frame;
 }
 

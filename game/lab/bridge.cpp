@@ -5,33 +5,33 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double cord_length = 4.2;   // m
-constexpr double span = 4.0;          // m
-constexpr double cord_mass = 0.42;    // kg
-constexpr double ball_radius = 0.25;  // m
-constexpr int points = 41;
-constexpr double between = 5.0;  // m, from one bridge to the other
+constexpr double bridge_length = 4.2;  // m
+constexpr double span = 4.0;           // m
+constexpr double bridge_mass = 0.42;   // kg
+constexpr double ball_radius = 0.25;   // m
+constexpr int bridge_points = 41;
+constexpr double between_bridges = 5.0;  // m, from one bridge to the other
 
-void build(Bench& bench, const KnobValues& values, Vec2 origin) {
+void build_bridges(Bench& bench, const KnobValues& values, Vec2 origin) {
   ribbon::CordDef def;
-  def.points = points;
-  def.length = cord_length;
+  def.points = bridge_points;
+  def.length = bridge_length;
   def.radius = 0.02;
-  def.mass_per_length = cord_mass / cord_length;
+  def.mass_per_length = bridge_mass / bridge_length;
   def.stretch_stiffness = values[Knob::stretch];
   def.friction = values[Knob::friction];
-  def.pins = {0, points - 1};
-  def.positions = sagging(points, cord_length, origin - Vec2{0.5 * (span + between), 0.0}, span);
+  def.pins = {0, bridge_points - 1};
+  def.positions = sagging(bridge_points, bridge_length, origin - Vec2{0.5 * (span + between_bridges), 0.0}, span);
   def.accuracy = accuracy_of(values);
   bench.add(def);
-  bench.add(Disc{.at = def.positions[points / 2] + Vec2{0.0, ball_radius + 0.4},
+  bench.add(Disc{.at = def.positions[bridge_points / 2] + Vec2{0.0, ball_radius + 0.4},
                  .radius = ball_radius,
-                 .mass = cord_mass * values[Knob::load_ratio],
+                 .mass = bridge_mass * values[Knob::load_ratio],
                  .friction = def.friction});
 }
 
-void tune(Bench& bench, const KnobValues& values) {
-  bench.set_mass(*bench.bodies().back().body, cord_mass * values[Knob::load_ratio]);
+void tune_bridges(Bench& bench, const KnobValues& values) {
+  bench.set_mass(*bench.bodies().back().body, bridge_mass * values[Knob::load_ratio]);
 }
 
 }  // namespace
@@ -46,9 +46,9 @@ Scene bridge() {
                              {Knob::friction, 0.0, 2.0, 0.5},
                              {Knob::chain_substeps, 1.0, 64.0, 4.0, Scale::whole}},
                             accuracy_knobs(1)),
-          .chains_at = Vec2{between, 0.0},
-          .build = build,
-          .tune = tune,
+          .chains_at = Vec2{between_bridges, 0.0},
+          .build = build_bridges,
+          .tune = tune_bridges,
           .readings = [](const Bench& bench, const KnobValues&) { return excess_readings(bench); }};
 }
 

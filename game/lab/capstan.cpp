@@ -43,7 +43,7 @@ ribbon::CordDef around_post(double angle) {
   return def;
 }
 
-void build(Bench& bench, const KnobValues& values, Vec2) {
+void build_capstan(Bench& bench, const KnobValues& values, Vec2) {
   ribbon::CordDef def = around_post(angle_of(values));
   def.mass_per_length = mass_per_length;
   def.friction = values[Knob::friction];
@@ -63,11 +63,11 @@ void build(Bench& bench, const KnobValues& values, Vec2) {
   hang(def.points - 1, def.positions.back(), light_weight * values[Knob::weight_ratio]);
 }
 
-void tune(Bench& bench, const KnobValues& values) {
+void tune_capstan(Bench& bench, const KnobValues& values) {
   bench.set_mass(*bench.bodies().back().body, light_weight * values[Knob::weight_ratio]);
 }
 
-std::vector<Reading> readings(const Bench& bench, const KnobValues& values) {
+std::vector<Reading> readings_of_capstan(const Bench& bench, const KnobValues& values) {
   const ribbon::Cord& cord = bench.coupling().cord(0).direct();
   const double slack = cord.tension(0);
   const double taut = cord.tension(cord.def().points - 2);
@@ -95,9 +95,9 @@ Scene capstan() {
                 .scale = Scale::logarithmic,
                 .min_is_zero = true}},
               accuracy_knobs(1)),
-          .build = build,
-          .tune = tune,
-          .readings = readings};
+          .build = build_capstan,
+          .tune = tune_capstan,
+          .readings = readings_of_capstan};
 }
 
 }  // namespace game::lab

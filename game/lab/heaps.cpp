@@ -33,7 +33,7 @@ void finish(ribbon::CordDef& def, const KnobValues& values) {
   def.accuracy = accuracy_of(values);
 }
 
-std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
+std::vector<Reading> readings_of_heap(const Bench& bench, const KnobValues&) {
   return {{Reading::Kind::contacts, 1.0 * contacts(bench)}, {Reading::Kind::unconverged, 1.0 * unconverged(bench)}};
 }
 
@@ -99,7 +99,7 @@ Scene pile() {
           .high = {2.2, 2.75},
           .knobs = knobs(24.0, 12.0, 0.4),
           .build = build_pile,
-          .readings = readings};
+          .readings = readings_of_heap};
 }
 
 Scene strips() {
@@ -108,7 +108,7 @@ Scene strips() {
           .high = {12.3, 2.0},
           .knobs = knobs(48.0, 24.0, 0.1),
           .build = build_strips,
-          .readings = readings};
+          .readings = readings_of_heap};
 }
 
 }  // namespace game::lab

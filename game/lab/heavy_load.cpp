@@ -8,33 +8,33 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double cord_length = 3.0;  // m
-constexpr double cord_mass = 1.0;    // kg
-constexpr int points = 31;
+constexpr double rope_length = 3.0;  // m
+constexpr double rope_mass = 1.0;    // kg
+constexpr int rope_points = 31;
 constexpr Vec2 place{-3.3, 0.0};  // m, of the pin of the cord
 
-void build(Bench& bench, const KnobValues& values, Vec2 origin) {
+void build_heavy_load(Bench& bench, const KnobValues& values, Vec2 origin) {
   const double angle = values[Knob::start_angle] * std::numbers::pi / 180.0;
   const Vec2 pin = origin + place;
-  const Vec2 along = cord_length * Vec2{std::sin(angle), -std::cos(angle)};
+  const Vec2 along = rope_length * Vec2{std::sin(angle), -std::cos(angle)};
   ribbon::CordDef def;
-  def.points = points;
-  def.length = cord_length;
+  def.points = rope_points;
+  def.length = rope_length;
   def.radius = 0.02;
-  def.mass_per_length = cord_mass / cord_length;
+  def.mass_per_length = rope_mass / rope_length;
   def.stretch_stiffness = values[Knob::stretch];
   def.damping = 0.02;
   def.pins = {0};
-  def.positions = straight(points, pin, along);
+  def.positions = straight(rope_points, pin, along);
   def.accuracy = accuracy_of(values);
   bench.add(def);
   b2Body& load = bench.add(
-      Disc{.at = pin + along, .radius = 0.3, .mass = cord_mass * values[Knob::load_ratio], .meets_cords = false});
-  bench.hold(0, points - 1, load);
+      Disc{.at = pin + along, .radius = 0.3, .mass = rope_mass * values[Knob::load_ratio], .meets_cords = false});
+  bench.hold(0, rope_points - 1, load);
 }
 
-void tune(Bench& bench, const KnobValues& values) {
-  bench.set_mass(*bench.bodies().back().body, cord_mass * values[Knob::load_ratio]);
+void tune_heavy_load(Bench& bench, const KnobValues& values) {
+  bench.set_mass(*bench.bodies().back().body, rope_mass * values[Knob::load_ratio]);
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ Scene heavy_load() {
                              {Knob::chain_substeps, 1.0, 64.0, 16.0, Scale::whole}},
                             accuracy_knobs(1)),
           .chains_at = Vec2{-2.0 * place.x, 0.0},
-          .build = build,
-          .tune = tune,
+          .build = build_heavy_load,
+          .tune = tune_heavy_load,
           .readings = [](const Bench& bench, const KnobValues&) { return excess_readings(bench); }};
 }
 

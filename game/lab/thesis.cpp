@@ -36,7 +36,7 @@ void set_knobs(ribbon::ThesisDef& def, const KnobValues& values) {
   def.substeps = values.whole(Knob::iterations);
 }
 
-void build(Bench& bench, const KnobValues& values, const Condition& condition) {
+void build_thesis(Bench& bench, const KnobValues& values, const Condition& condition) {
   ribbon::ThesisDef def;
   def.w = condition.w;
   def.h = condition.h;
@@ -51,7 +51,7 @@ void build(Bench& bench, const KnobValues& values, const Condition& condition) {
   bench.add(def);
 }
 
-std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
+std::vector<Reading> readings_of_thesis(const Bench& bench, const KnobValues&) {
   const ribbon::StepReport& report = bench.coupling().cord(0).thesis_report();
   return {{Reading::Kind::self_contacts, 1.0 * report.self_contacts},
           {Reading::Kind::turned_over, 1.0 * report.turned_over}};
@@ -60,22 +60,23 @@ std::vector<Reading> readings(const Bench& bench, const KnobValues&) {
 Scene scene_of(const Condition& condition) {
   using Scale = KnobRange::Scale;
   const double reach = spacing * (condition.w - 1) + 0.1;
-  return {.name = condition.name,
-          .low = {-1.2 * reach, -1.1 * reach},
-          .high = {1.2 * reach, 0.25 * reach},
-          .knobs = {{Knob::spring_share, 0.05, 0.95, 0.45},
-                    {Knob::iterations, 1.0, 64.0, 1.0 * condition.substeps, Scale::whole},
-                    {Knob::bar_damping, 0.0, 10.0, 5.0},
-                    {Knob::area, 0.0, 1.0, 0.5},
-                    {Knob::self_collision, 0.0, 1.0, 1.0, Scale::choice},
-                    {Knob::air_drag, 0.0, 5.0, 1.0},
-                    {.knob = Knob::start_angle, .min = 0.0, .max = 90.0, .initial = 45.0, .rebuilds = true}},
-          .build = [condition](Bench& bench, const KnobValues& values, Vec2) { build(bench, values, condition); },
-          .tune =
-              [](Bench& bench, const KnobValues& values) {
-                bench.change_thesis_cords([&](ribbon::ThesisDef& def) { set_knobs(def, values); });
-              },
-          .readings = readings};
+  return {
+      .name = condition.name,
+      .low = {-1.2 * reach, -1.1 * reach},
+      .high = {1.2 * reach, 0.25 * reach},
+      .knobs = {{Knob::spring_share, 0.05, 0.95, 0.45},
+                {Knob::iterations, 1.0, 64.0, 1.0 * condition.substeps, Scale::whole},
+                {Knob::bar_damping, 0.0, 10.0, 5.0},
+                {Knob::area, 0.0, 1.0, 0.5},
+                {Knob::self_collision, 0.0, 1.0, 1.0, Scale::choice},
+                {Knob::air_drag, 0.0, 5.0, 1.0},
+                {.knob = Knob::start_angle, .min = 0.0, .max = 90.0, .initial = 45.0, .rebuilds = true}},
+      .build = [condition](Bench& bench, const KnobValues& values, Vec2) { build_thesis(bench, values, condition); },
+      .tune =
+          [](Bench& bench, const KnobValues& values) {
+            bench.change_thesis_cords([&](ribbon::ThesisDef& def) { set_knobs(def, values); });
+          },
+      .readings = readings_of_thesis};
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ using engine::Canvas;
 using ribbon::Vec2;
 
 // Units of text.
-constexpr double margin = 10.0;
-constexpr double text_size = 14.5;
-constexpr double title_size = 22.0;
+constexpr double console_margin = 10.0;
+constexpr double console_text_size = 14.5;
+constexpr double console_title_size = 22.0;
 constexpr double scene_height = 33.0;
 constexpr double knob_height = 44.0;
 constexpr double bar_height = 10.0;
@@ -76,7 +76,7 @@ Rectangle Console::knob_place(std::size_t knob, const Layout& layout) {
 
 Rectangle Console::bar_place(std::size_t knob, const Layout& layout) {
   const Rectangle place = knob_place(knob, layout);
-  const double side = margin * layout.unit;
+  const double side = console_margin * layout.unit;
   const double height = bar_height * layout.unit;
   return {place.corner + Vec2{side, place.size.y - height - 6.0 * layout.unit}, {place.size.x - 2.0 * side, height}};
 }
@@ -86,7 +86,7 @@ Rectangle Console::button_place(Button button, const Layout& layout) {
   const int row = number / buttons_in_row;
   const int in_row = row == 0 ? buttons_in_row : button_count - buttons_in_row;
   const double gap = button_gap * layout.unit;
-  const double side = margin * layout.unit;
+  const double side = console_margin * layout.unit;
   const double width = (layout.panel.size.x - 2.0 * side - (in_row - 1) * gap) / in_row;
   const double height = button_height * layout.unit;
   const double top = layout.panel.size.y - side - 2.0 * height - gap;
@@ -164,20 +164,20 @@ void Console::draw(Canvas& canvas, const Experiment& experiment, const ConsoleSt
   canvas.panel(layout.panel.corner, layout.panel.size, 0.0, look::side);
   draw_scenes(canvas, experiment, layout);
   if (!state.has_notice) {
-    const double size = title_size * layout.unit;
+    const double size = console_title_size * layout.unit;
     const double y = 0.5 * (top_strip * layout.unit - canvas.line_height(size));
-    canvas.text(layout.list.corner + Vec2{margin * layout.unit, y}, words::lab::title, size, look::white);
+    canvas.text(layout.list.corner + Vec2{console_margin * layout.unit, y}, words::lab::title, size, look::white);
   }
   for (std::size_t k = 0; k < experiment.scene().knobs.size(); ++k) draw_knob(canvas, experiment, k, layout);
   for (int k = 0; k < button_count; ++k) draw_button(canvas, static_cast<Button>(k), state, experiment, layout);
   const double size = keys_size * layout.unit;
-  canvas.text(
-      {layout.list.corner.x + margin * layout.unit, layout.list.size.y - canvas.line_height(size) - 6.0 * layout.unit},
-      state.uses_pad ? words::lab::buttons : words::lab::keys, size, look::faint);
+  canvas.text({layout.list.corner.x + console_margin * layout.unit,
+               layout.list.size.y - canvas.line_height(size) - 6.0 * layout.unit},
+              state.uses_pad ? words::lab::buttons : words::lab::keys, size, look::faint);
 }
 
 void Console::draw_scenes(Canvas& canvas, const Experiment& experiment, const Layout& layout) const {
-  const double size = text_size * layout.unit;
+  const double size = console_text_size * layout.unit;
   for (std::size_t k = 0; k < scenes().size(); ++k) {
     const Rectangle place = scene_place(k, layout);
     const bool runs = &scenes()[k] == &experiment.scene();
@@ -196,7 +196,7 @@ void Console::draw_knob(Canvas& canvas, const Experiment& experiment, std::size_
   const Rectangle place = knob_place(knob, layout);
   const Rectangle bar = bar_place(knob, layout);
   const double unit = layout.unit;
-  const double size = text_size * unit;
+  const double size = console_text_size * unit;
   const bool focused = focus_ == scenes().size() + knob;
   if (focused)
     canvas.panel(place.corner + Vec2{2.0 * unit, 2.0 * unit}, {3.0 * unit, place.size.y - 4.0 * unit}, 0.0, look::gold);
@@ -222,7 +222,7 @@ void Console::draw_button(Canvas& canvas, Button button, const ConsoleState& sta
   const bool focused = focus_ == scenes().size() + experiment.scene().knobs.size() + static_cast<std::size_t>(button);
   const bool is_on = (button == Button::pause && state.paused) || (button == Button::slow && state.slowed > 1);
   canvas.panel(place.corner, place.size, 6.0 * layout.unit, focused || is_on ? look::focus : look::button);
-  const double size = text_size * layout.unit;
+  const double size = console_text_size * layout.unit;
   canvas.text(place.corner + Vec2{0.5 * place.size.x, 0.5 * (place.size.y - canvas.line_height(size))},
               label_of(button, state), size, focused ? look::gold : look::white, Align::center);
 }

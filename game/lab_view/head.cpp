@@ -17,9 +17,9 @@ namespace {
 using ribbon::Vec2;
 
 // Units of text.
-constexpr double title_size = 22.0;
-constexpr double text_size = 13.5;
-constexpr double margin = 12.0;
+constexpr double head_title_size = 22.0;
+constexpr double head_text_size = 13.5;
+constexpr double head_margin = 12.0;
 constexpr std::size_t about_lines = 2;
 constexpr std::size_t figure_lines = 2;  // of each bench
 constexpr double least_shown = 1e-12;    // of lengths in m and strains; what is less is rounding
@@ -82,12 +82,12 @@ void draw_head(engine::Canvas& canvas, const Experiment& experiment, std::span<c
                const Layout& layout, bool has_notice) {
   canvas.panel(layout.head.corner, layout.head.size, 0.0, look::strip);
   const words::lab::SceneWords& about = words_of(experiment.scene());
-  const double size = text_size * layout.unit;
+  const double size = head_text_size * layout.unit;
   const double line = canvas.line_height(size);
-  const double left = layout.head.corner.x + margin * layout.unit;
-  const double width = layout.head.size.x - 2.0 * margin * layout.unit;
+  const double left = layout.head.corner.x + head_margin * layout.unit;
+  const double width = layout.head.size.x - 2.0 * head_margin * layout.unit;
   if (!has_notice) {
-    const double title = title_size * layout.unit;
+    const double title = head_title_size * layout.unit;
     canvas.text({left, 0.5 * (top_strip * layout.unit - canvas.line_height(title))}, about.title, title, look::gold);
   }
   double y = top_strip * layout.unit;

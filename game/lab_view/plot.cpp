@@ -15,10 +15,10 @@ namespace {
 using engine::Canvas;
 using ribbon::Vec2;
 
-constexpr double text_size = 12.0;     // units of text
-constexpr double margin = 8.0;         // the same
-constexpr double least_energy = 0.01;  // J, shown range
-constexpr double least_log = -10.0;    // decimal logarithm of the smallest stretch that is shown
+constexpr double plot_text_size = 12.0;  // units of text
+constexpr double plot_margin = 8.0;      // the same
+constexpr double least_energy = 0.01;    // J, shown range
+constexpr double least_log = -10.0;      // decimal logarithm of the smallest stretch that is shown
 constexpr double most_log = 3.0;
 
 using Numbers = std::vector<std::vector<double>>;  // of each bench
@@ -75,10 +75,10 @@ Plot stretch_plot(const History& history, std::size_t benches) {
 
 void draw(Canvas& canvas, const Plot& plot, const Rectangle& place, double unit) {
   canvas.panel(place.corner, place.size, 4.0 * unit, look::field);
-  const double size = text_size * unit;
+  const double size = plot_text_size * unit;
   const double line = canvas.line_height(size);
-  const Vec2 inner = place.corner + Vec2{margin * unit, line + 3.0 * unit};
-  const Vec2 extent = place.size - Vec2{2.0 * margin * unit, 2.0 * line + 6.0 * unit};
+  const Vec2 inner = place.corner + Vec2{plot_margin * unit, line + 3.0 * unit};
+  const Vec2 extent = place.size - Vec2{2.0 * plot_margin * unit, 2.0 * line + 6.0 * unit};
   constexpr std::array colors = {look::cord, look::chain};
   for (std::size_t bench = plot.numbers.size(); bench-- > 0;) {
     const std::vector<double>& numbers = plot.numbers[bench];
@@ -92,7 +92,7 @@ void draw(Canvas& canvas, const Plot& plot, const Rectangle& place, double unit)
     if (points.size() > 1) add_polyline(mesh, points, 1.8 * unit);
     canvas.mesh(mesh, colors[std::min(bench, colors.size() - 1)]);
   }
-  const double right = place.corner.x + place.size.x - margin * unit;
+  const double right = place.corner.x + place.size.x - plot_margin * unit;
   const double bottom = place.corner.y + place.size.y - line - 1.0 * unit;
   canvas.text({inner.x, place.corner.y + 1.0 * unit}, plot.title, size, look::faint);
   canvas.text({right, place.corner.y + 1.0 * unit}, plot.high, size, look::white, engine::Align::right);
@@ -117,7 +117,7 @@ PlotRange range_around(std::span<const double> numbers, double least) {
 }
 
 void draw_plots(Canvas& canvas, const History& history, std::size_t benches, const Layout& layout) {
-  const double gap = margin * layout.unit;
+  const double gap = plot_margin * layout.unit;
   canvas.panel(layout.plots.corner, layout.plots.size, 0.0, look::strip);
   const Vec2 size{0.5 * (layout.plots.size.x - 3.0 * gap), layout.plots.size.y - 2.0 * gap};
   const Vec2 corner = layout.plots.corner + Vec2{gap, gap};

@@ -8,6 +8,7 @@
 #include "engine/draw/video_writer.h"
 #include "engine/window/sdl_canvas.h"
 #include "game/program/bad_ticks.h"
+#include "game/program/picture_size.h"
 #include "game/screens/help.h"
 #include "game/simulation/recorded_run.h"
 #include "game/simulation/run.h"
@@ -17,9 +18,6 @@
 
 namespace game {
 namespace {
-
-constexpr int picture_width = 1280;
-constexpr int picture_height = 720;
 
 void save_picture(const Simulation& simulation, const RunOptions& options) {
   engine::HeadlessCanvas canvas(picture_width, picture_height);

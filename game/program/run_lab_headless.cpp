@@ -7,15 +7,13 @@
 #include "engine/window/sdl_window.h"
 #include "game/lab/figures.h"
 #include "game/lab_view/desk.h"
+#include "game/program/picture_size.h"
 #include "game/screens/screen.h"
 #include "game/simulation/run.h"
 #include "ribbon/box2d/state_hash.h"
 
 namespace game {
 namespace {
-
-constexpr int picture_width = 1280;
-constexpr int picture_height = 720;
 
 const char* name_of(const lab::Bench& bench) { return bench.method() == lab::Method::chains ? "chains" : "cords"; }
 

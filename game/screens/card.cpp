@@ -15,11 +15,11 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr double margin = 26.0;
+constexpr double inner_margin = 26.0;
 constexpr double headline_size = 40.0;
 constexpr double outside = notice_strip;  // above and below the card: for a notice and for the line of keys
 constexpr double arrow = 14.0;            // above and below a menu that scrolls
-constexpr double beside = 12.0;           // at least, left and right of the card
+constexpr double beside_card = 12.0;      // at least, left and right of the card
 
 struct Layout {
   Vec2 corner, size;  // px
@@ -29,7 +29,7 @@ struct Layout {
 };
 
 Layout lay_out(const Canvas& canvas, double scale, const Card& card, int rows) {
-  const double most = canvas.width() - 2.0 * (margin + beside) * scale;
+  const double most = canvas.width() - 2.0 * (inner_margin + beside_card) * scale;
   std::vector<std::string> lines;
   for (const std::string& text : card.lines) {
     for (std::string& line : wrapped(canvas, text, card.line_size * scale, card.column ? card.width * scale : most)) {
@@ -44,20 +44,20 @@ Layout lay_out(const Canvas& canvas, double scale, const Card& card, int rows) {
   for (const std::string& each : lines) width = std::max(width, canvas.text_width(each, card.line_size * scale));
   width = std::min(width, most);
   MenuPlace menu{{}, width, 0.0, card.text_size * scale};
-  const double fixed = headline + text + 1.6 * margin * scale;
+  const double fixed = headline + text + 1.6 * inner_margin * scale;
   const double available = canvas.height() - 2.0 * outside * scale - fixed;
   menu.height = menu.row_height() * std::clamp(static_cast<int>(available / menu.row_height()), 1, std::max(rows, 1));
   if (rows == 0) menu.height = 0.0;
   menu.height += 1e-6;  // rounding must not remove a row
-  Vec2 size{width + 2.0 * margin * scale, fixed + menu.height};
+  Vec2 size{width + 2.0 * inner_margin * scale, fixed + menu.height};
   const double aside = 0.5 * (canvas.width() - size.x);
-  Vec2 corner{aside + card.side * std::max(aside - beside * scale, 0.0), 0.5 * (canvas.height() - size.y)};
-  const double top = corner.y + 0.8 * margin * scale;
+  Vec2 corner{aside + card.side * std::max(aside - beside_card * scale, 0.0), 0.5 * (canvas.height() - size.y)};
+  const double top = corner.y + 0.8 * inner_margin * scale;
   if (card.column) {
     corner = {};
     size.y = canvas.height();
   }
-  menu.top_left = {corner.x + margin * scale, top + headline + text};
+  menu.top_left = {corner.x + inner_margin * scale, top + headline + text};
   return {corner, size, top, top + headline, std::move(lines), menu};
 }
 

@@ -14,9 +14,9 @@ using ribbon::Vec2;
 
 namespace {
 
-constexpr double usual_width = 215.0;  // of a card, units of text
-constexpr double margin = 8.0;         // around a card
-constexpr double frame = 5.0;          // around its picture
+constexpr double usual_card_width = 215.0;  // of a card, units of text
+constexpr double around_card = 8.0;         // around a card
+constexpr double frame = 5.0;               // around its picture
 constexpr double title_size = 17.0;
 constexpr double time_size = 15.0;
 constexpr double text_height = 50.0;  // below the picture
@@ -28,13 +28,13 @@ int sum_around(int value, int step, int count) { return ((value + step) % count 
 }  // namespace
 
 int GridPlace::columns() const {
-  return std::clamp(static_cast<int>((size.x - bar * scale) / (usual_width * scale)), 1, max_columns);
+  return std::clamp(static_cast<int>((size.x - bar * scale) / (usual_card_width * scale)), 1, max_columns);
 }
 
 Vec2 GridPlace::cell() const {
   const double width = (size.x - bar * scale) / columns();
-  const double picture = width - 2.0 * (margin + frame) * scale;
-  return {width, 0.5 * picture + (2.0 * margin + frame + text_height) * scale};
+  const double picture = width - 2.0 * (around_card + frame) * scale;
+  return {width, 0.5 * picture + (2.0 * around_card + frame + text_height) * scale};
 }
 
 int GridPlace::rows() const { return std::max(static_cast<int>(size.y / cell().y), 1); }
@@ -96,8 +96,8 @@ void CardGrid::draw_card(Canvas& canvas, Vec2 at, const GridPlace& place, int ca
   const PictureCard& shown = cards_[static_cast<std::size_t>(card)];
   const double unit = place.scale;
   const bool focused = card == focus_;
-  const Vec2 corner = at + Vec2{margin * unit, margin * unit};
-  const Vec2 size = place.cell() - Vec2{2.0 * margin * unit, 2.0 * margin * unit};
+  const Vec2 corner = at + Vec2{around_card * unit, around_card * unit};
+  const Vec2 size = place.cell() - Vec2{2.0 * around_card * unit, 2.0 * around_card * unit};
   if (focused)
     canvas.panel(corner - Vec2{3.0 * unit, 3.0 * unit}, size + Vec2{6.0 * unit, 6.0 * unit}, 11.0 * unit, style::gold);
   canvas.panel(corner, size, 9.0 * unit, focused ? style::focus_card : style::card);

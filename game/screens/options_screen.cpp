@@ -55,7 +55,7 @@ const std::vector<Option>& options() {
   return all;
 }
 
-const Card card{
+const Card options_card{
     .headline = words::options, .lines = {words::options_note}, .width = 660.0, .text_size = 18.0, .line_size = 16.0};
 
 }  // namespace
@@ -72,7 +72,7 @@ void OptionsScreen::fill_menu() {
 Next OptionsScreen::update(const Frame& frame) {
   if (frame.menu.back) return Next::back();
   const auto rows = static_cast<int>(menu_.items().size());
-  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, card, rows));
+  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, options_card, rows));
   if (choice && choice->item == 0) return Next::open(std::make_unique<ControlsScreen>(*session_));
   if (choice && choice->item == rows - 1) return Next::back();
   if (choice) options()[static_cast<std::size_t>(choice->item - 1)].change(session_->settings, choice->step);
@@ -83,8 +83,8 @@ Next OptionsScreen::update(const Frame& frame) {
 void OptionsScreen::draw(engine::Canvas& canvas, double text_scale) {
   draw_shade(canvas);
   const auto rows = static_cast<int>(menu_.items().size());
-  draw_card(canvas, text_scale, card, rows);
-  menu_.draw(canvas, menu_place(canvas, text_scale, card, rows));
+  draw_card(canvas, text_scale, options_card, rows);
+  menu_.draw(canvas, menu_place(canvas, text_scale, options_card, rows));
   draw_keys_line(canvas, text_scale, menu_keys(session_->uses_pad));
 }
 

@@ -6,7 +6,7 @@
 namespace game {
 namespace {
 
-constexpr double usual_width = 1280.0;  // desktop units, for text of the usual size
+constexpr double usual_desktop_width = 1280.0;  // desktop units, for text of the usual size
 constexpr double usual_height = 720.0;
 constexpr double min_scale = 0.65;  // below it, text is hard to read
 constexpr double max_scale = 1.5;
@@ -14,7 +14,7 @@ constexpr double max_scale = 1.5;
 }  // namespace
 
 double text_scale_of(const engine::Canvas& canvas, double pixel_scale) {
-  const double size = std::min(canvas.width() / usual_width, canvas.height() / usual_height);
+  const double size = std::min(canvas.width() / usual_desktop_width, canvas.height() / usual_height);
   return pixel_scale * std::clamp(size / pixel_scale, min_scale, max_scale);
 }
 

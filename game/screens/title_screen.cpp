@@ -14,9 +14,9 @@
 namespace game {
 namespace {
 
-enum Item { play, open_lab, options, quit };
+enum TitleItem { play, open_lab, options, quit };
 
-const Card card{
+const Card title_card{
     .headline = words::game_title, .lines = {words::tagline}, .width = 340.0, .text_size = 28.0, .column = true};
 
 }  // namespace
@@ -36,7 +36,7 @@ TitleScreen::TitleScreen(Session& session) : session_(&session) {
 Next TitleScreen::update(const Frame& frame) {
   show_run(frame.elapsed_ns);
   const auto rows = static_cast<int>(menu_.items().size());
-  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, card, rows));
+  const auto choice = menu_.update(frame.menu, menu_place(frame.canvas, frame.text_scale, title_card, rows));
   if (!choice) return Next::stay();
   switch (choice->item) {
     case play: return Next::open(std::make_unique<LevelScreen>(*session_));
@@ -64,7 +64,7 @@ void TitleScreen::draw_below(engine::Canvas& canvas, double text_scale) {
   options.colour_safe = session_->settings.colour_safe;
   options.reduced_motion = session_->settings.reduced_motion;
   options.signs = signs_in_words(run_->level(), session_->settings, session_->uses_pad);
-  const double menu = card_place(canvas, text_scale, card, static_cast<int>(menu_.items().size())).size.x;
+  const double menu = card_place(canvas, text_scale, title_card, static_cast<int>(menu_.items().size())).size.x;
   options.free = {{menu, 0.0}, {canvas.width() - menu, 1.0 * canvas.height()}};
   view_->draw(canvas, clock_.alpha(), options);
 }
@@ -72,9 +72,9 @@ void TitleScreen::draw_below(engine::Canvas& canvas, double text_scale) {
 void TitleScreen::draw(engine::Canvas& canvas, double text_scale) {
   draw_below(canvas, text_scale);
   const auto rows = static_cast<int>(menu_.items().size());
-  draw_card(canvas, text_scale, card, rows);
-  menu_.draw(canvas, menu_place(canvas, text_scale, card, rows));
-  const double width = card_place(canvas, text_scale, card, rows).size.x;
+  draw_card(canvas, text_scale, title_card, rows);
+  menu_.draw(canvas, menu_place(canvas, text_scale, title_card, rows));
+  const double width = card_place(canvas, text_scale, title_card, rows).size.x;
   draw_keys_line(canvas, text_scale, session_->uses_pad ? words::title_buttons : words::title_keys, width);
 }
 

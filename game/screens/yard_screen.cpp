@@ -22,7 +22,7 @@ constexpr Color wrong{255, 110, 96};
 constexpr Color picked{120, 200, 255};
 
 /// The items of the palette behind those of the things.
-enum Item : int { move = static_cast<int>(all_things.size()), remove, clear, done };
+enum YardItem : int { move = static_cast<int>(all_things.size()), remove, clear, done };
 
 const char* title_of(Thing thing) {
   switch (thing) {

@@ -16,7 +16,7 @@ namespace {
 
 using engine::JsonObject;
 
-constexpr int depth = 5;
+constexpr int records_depth = 5;
 constexpr int version = 2;
 constexpr std::size_t hash_digits = 16;
 
@@ -50,7 +50,7 @@ nlohmann::ordered_json splits_json(const std::vector<std::optional<int>>& splits
 }  // namespace
 
 std::vector<Records::Entry> Records::parse(const std::string& text, const std::string& where) {
-  const nlohmann::json json = engine::parse_json(text, where, depth);
+  const nlohmann::json json = engine::parse_json(text, where, records_depth);
   std::vector<Entry> entries;
   const JsonObject whole(json, where);
   if (whole.has("version")) static_cast<void>(whole.integer("version", {1, version}));

@@ -14,7 +14,7 @@ namespace {
 using engine::JsonObject;
 using nlohmann::ordered_json;
 
-constexpr int depth = 4;
+constexpr int settings_depth = 4;
 
 /// Calls visit(name, value) for each boolean setting.
 template <typename AnySettings, typename Visit>
@@ -79,7 +79,7 @@ std::string settings_text(const Settings& settings) {
 }
 
 Settings parse_settings(const std::string& text, const std::string& where) {
-  const nlohmann::json json = engine::parse_json(text, where, depth);
+  const nlohmann::json json = engine::parse_json(text, where, settings_depth);
   const JsonObject object(json, where);
   Settings settings;
   settings.speed = integer_or(object, "speed", settings.speed, {Settings::min_speed, 100});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/simulation/index.h"
 #include "game/simulation/level_cords.h"
 
 namespace game {
@@ -14,8 +15,6 @@ using ribbon::box2d::CutEvent;
 
 constexpr std::int64_t full = 1'000'000'000'000;  // the heat at which a place burns through
 constexpr int min_columns = 4;                    // of a piece that still burns
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
@@ -32,7 +31,7 @@ void Burning::burn(const std::vector<Fire>& fires, engine::Scene& scene) {
 /// Pieces keep the heat of their cord. The events are those of calls before the last tick and of links that broke in
 /// it.
 void Burning::follow_cuts(const engine::Scene& scene) {
-  for (const CutEvent& event : scene.coupling().cut_events()) {
+  for (const CutEvent& event : scene.coupling().last_step().cut_events()) {
     if (event.cord >= static_cast<CordId>(cords_.size()) || cords_[at(event.cord)].columns.empty()) continue;
     const Cord whole = std::move(cords_[at(event.cord)]);
     cords_[at(event.cord)] = {};

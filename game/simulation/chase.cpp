@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "game/simulation/level_cords.h"
+#include "game/simulation/tick_rate.h"
 
 namespace game {
 namespace {
 
 using ribbon::Vec2;
 
-constexpr double ticks_a_second = 60.0;
 constexpr double fall = 9.81;  // m/s², of a chaser that lost its cord
 constexpr int most_falling_ticks = 600;
 
@@ -21,7 +21,7 @@ int pieces_of(const engine::Scene& scene, int object) {
 }
 
 Vec2 place_on_track(const Chaser& chaser, int ticks) {
-  const double distance = chaser.start + chaser.speed * ticks / ticks_a_second;
+  const double distance = chaser.start + chaser.speed * ticks / ticks_per_second;
   return chaser.track.at(chaser.track.is_closed() ? distance : std::min(distance, chaser.track.length()));
 }
 
@@ -62,7 +62,7 @@ void Chase::advance(const std::vector<Chaser>& chasers, const engine::Scene& sce
     if (place.falling_ticks > 0 || (is_over_gap && pieces_of(scene, chasers[k].cord) != 1)) {
       if (place.falling_ticks == most_falling_ticks) continue;
       ++place.falling_ticks;
-      place.at.y -= fall * place.falling_ticks / (ticks_a_second * ticks_a_second);
+      place.at.y -= fall * place.falling_ticks / (ticks_per_second * ticks_per_second);
     } else {
       place.at = place_on_track(chasers[k], ++place.ticks);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "game/simulation/buttons.h"
+#include "game/simulation/index.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -16,8 +17,6 @@ using ribbon::box2d::to_double;
 using ribbon::box2d::to_float;
 
 constexpr double approach_ticks = 3.0;  // in which a body reaches the pointer, unless the maximum speed limits it
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Returns `to`, moved towards `from` if it is farther than max_distance.
 Vec2 clamp_distance(Vec2 from, Vec2 to, double max_distance) {

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "game/simulation/tick_rate.h"
 #include "ribbon/geometry/rotation.h"
 
 namespace game {
@@ -19,7 +20,6 @@ constexpr engine::NumberRange burning_seconds{0.05, 600.0};
 constexpr engine::NumberRange accepted_x{-1e6, 1e6};
 constexpr double default_burning = 1.0;  // s
 constexpr double default_chase = 3.0;    // m/s
-constexpr double ticks_a_second = 60.0;
 
 void check_shape(const MapObject& object, std::initializer_list<MapShape> accepted) {
   if (std::find(accepted.begin(), accepted.end(), object.shape) != accepted.end()) return;
@@ -64,7 +64,7 @@ Fire read_fire(const MapObject& object) {
   check_shape(object, {MapShape::rectangle});
   object.properties.check_known_properties({"seconds"});
   const double seconds = object.properties.number_or("seconds", default_burning, burning_seconds);
-  return {upright_area(object), static_cast<int>(std::ceil(seconds * ticks_a_second))};
+  return {upright_area(object), static_cast<int>(std::ceil(seconds * ticks_per_second))};
 }
 
 Chaser read_chaser(const MapObject& object, const engine::TiledMap& map) {

@@ -126,7 +126,7 @@ void Lines::add_knot(const Knot& knot, ribbon::box2d::Coupling& coupling) {
 
 /// The pieces stay as knots do, so that no run has ever more cords. A piece that the player hung from falls without it.
 void Lines::follow_cuts(ribbon::box2d::Coupling& coupling) {
-  for (const ribbon::box2d::CutEvent& event : coupling.cut_events()) {
+  for (const ribbon::box2d::CutEvent& event : coupling.last_step().cut_events()) {
     if (!forget(event.cord, coupling)) continue;
     for (const std::optional<ribbon::box2d::CordId>& piece : {event.first, event.second}) {
       Knot left;

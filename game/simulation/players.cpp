@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/simulation/buttons.h"
+#include "game/simulation/index.h"
 
 namespace game {
 namespace {
@@ -11,8 +12,6 @@ using ribbon::Vec2;
 
 constexpr int foothold_ticks = 15;         // of standing, after which a position becomes the foothold
 constexpr std::int16_t player_group = -1;  // of Box2D: two players do not touch each other
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

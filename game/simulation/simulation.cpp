@@ -6,6 +6,7 @@
 
 #include "game/simulation/aim.h"
 #include "game/simulation/buttons.h"
+#include "game/simulation/index.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -14,11 +15,8 @@ namespace {
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
 
-constexpr double tick_dt = 1.0 / ticks_per_second;  // s
-constexpr double fall_depth = 3.0;                  // m below the level, at which the player is put back
-constexpr double checkpoint_gap = 0.4;              // m, to either side, at which two players return
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+constexpr double fall_depth = 3.0;      // m below the level, at which the player is put back
+constexpr double checkpoint_gap = 0.4;  // m, to either side, at which two players return
 
 struct Fallen {
   int player;

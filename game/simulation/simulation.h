@@ -14,12 +14,11 @@
 #include "game/simulation/saved_tick.h"
 #include "game/simulation/snapshot.h"
 #include "game/simulation/target.h"
+#include "game/simulation/tick_rate.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
 
 namespace game {
-
-inline constexpr int ticks_per_second = 60;
 
 /// Advances a scene by a tick of `dt` s.
 using Mover = std::function<void(double dt)>;

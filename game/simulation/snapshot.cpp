@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "game/simulation/index.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -9,8 +10,6 @@ namespace {
 
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -159,7 +159,7 @@ void CueDetector::detect_bodies(const Simulation& simulation) {
 void CueDetector::detect_cords(const Simulation& simulation) {
   ++since_slap_;
   const ribbon::box2d::TouchEvent* largest = nullptr;
-  for (const ribbon::box2d::TouchEvent& touch : simulation.scene().coupling().touch_events()) {
+  for (const ribbon::box2d::TouchEvent& touch : simulation.scene().coupling().last_step().touch_events()) {
     if (!touch.begins || touch.impulse < min_slap) continue;
     if (largest == nullptr || touch.impulse > largest->impulse) largest = &touch;
   }
@@ -173,7 +173,7 @@ void CueDetector::detect_cords(const Simulation& simulation) {
 void CueDetector::detect_cuts(const Simulation& simulation) {
   const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
   const ribbon::box2d::CutEvent* newest = nullptr;
-  for (const ribbon::box2d::CutEvent& event : coupling.cut_events()) {
+  for (const ribbon::box2d::CutEvent& event : coupling.last_step().cut_events()) {
     const ribbon::box2d::CordId piece = std::max(event.first.value_or(-1), event.second.value_or(-1));
     if (piece > last_cord_) newest = &event;
   }

@@ -53,7 +53,7 @@ void show_solving(const Simulation& simulation) {
   const b2World& world = simulation.scene().world();
   int near = 0;
   for (const ribbon::box2d::CordId c : coupling.cords()) near += coupling.cord(c).near_count();
-  ImGui::Text(words::panel::cords, coupling.size(), coupling.islands(), near);
+  ImGui::Text(words::panel::cords, coupling.size(), coupling.last_step().islands(), near);
   ImGui::Text(words::panel::bodies, world.GetBodyCount(), world.GetContactCount(), world.GetProxyCount(),
               world.GetTreeHeight());
 }

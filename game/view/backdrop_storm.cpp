@@ -14,10 +14,10 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-constexpr std::array<Range, 4> ranges = {{{0.93, 0.36, 0.24, 0.50, 0.060, 701},
-                                          {0.86, 0.27, 0.18, 0.42, 0.040, 702},
-                                          {0.76, 0.18, 0.12, 0.40, 0.014, 703},
-                                          {0.62, 0.08, 0.08, 0.34, 0.008, 704}}};
+constexpr std::array<Range, 4> storm_ranges = {{{0.93, 0.36, 0.24, 0.50, 0.060, 701},
+                                                {0.86, 0.27, 0.18, 0.42, 0.040, 702},
+                                                {0.76, 0.18, 0.12, 0.40, 0.014, 703},
+                                                {0.62, 0.08, 0.08, 0.34, 0.008, 704}}};
 constexpr double strike_every = 6.5;  // s
 constexpr double strike_long = 0.55;  // s
 constexpr int drops = 170;
@@ -83,8 +83,8 @@ void draw_sky(Pen& pen) {
 
 void draw_storm(Pen& pen) {
   const Palette& colors = pen.colors;
-  std::array<Outline, ranges.size()> outlines;
-  for (std::size_t k = 0; k < ranges.size(); ++k) outlines[k] = outline_of(pen, ranges[k]);
+  std::array<Outline, storm_ranges.size()> outlines;
+  for (std::size_t k = 0; k < storm_ranges.size(); ++k) outlines[k] = outline_of(pen, storm_ranges[k]);
   draw_fixed(pen, outlines[0].lowest, [&] { draw_sky(pen); });
   const Strike strike = pen.reduced_motion ? Strike{} : strike_at(pen.time);
   if (strike.light > 0.02) draw_bolt(pen, strike);
@@ -96,11 +96,11 @@ void draw_storm(Pen& pen) {
                     .opacity = 150,
                     .drift = 0.02,
                     .seed = 79});
-  for (std::size_t k = 0; k < ranges.size(); ++k) {
+  for (std::size_t k = 0; k < storm_ranges.size(); ++k) {
     const Color color = mix(colors.hills[k], colors.accent, 0.25 * strike.light * (1.0 - 0.2 * static_cast<double>(k)));
-    if (k == 2) draw_props(pen, ranges[k], pen.images.props[0], {0.026, 0.06, 0.5, 0.52});
-    if (k == 3) draw_props(pen, ranges[k], pen.images.props[1], {0.044, 0.12, 0.5, 0.55});
-    const double cut = k + 1 < ranges.size() ? outlines[k + 1].lowest + 1.0 : pen.canvas.height();
+    if (k == 2) draw_props(pen, storm_ranges[k], pen.images.props[0], {0.026, 0.06, 0.5, 0.52});
+    if (k == 3) draw_props(pen, storm_ranges[k], pen.images.props[1], {0.044, 0.12, 0.5, 0.55});
+    const double cut = k + 1 < storm_ranges.size() ? outlines[k + 1].lowest + 1.0 : pen.canvas.height();
     draw_range(pen, outlines[k], color, mix(color, colors.mist, 0.6), cut);
   }
 }

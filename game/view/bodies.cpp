@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/view/marks.h"
+#include "game/view/palette.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -113,7 +114,6 @@ void draw_earth(Pen& pen, const std::vector<Vec2>& corners) {
   const double top = top_of(corners);
   add_polygon(pen, corners, {origin, {texel, 0.0}, {0.0, texel}}, {255, 255, 255});
   // The earth gets darker with depth, down to darkest_depth.
-  constexpr Color white{255, 255, 255};
   const auto deep = static_cast<std::uint8_t>(pen.colors.deep_light);
   for (engine::TexturedVertex& v : pen.mesh.vertices)
     v.color = mix(white, {deep, deep, deep}, (top - pen.canvas.to_world(v.at).y) / darkest_depth);

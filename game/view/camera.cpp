@@ -4,37 +4,37 @@
 #include <cmath>
 
 #include "engine/math/smoothstep.h"
+#include "game/simulation/tick_rate.h"
 
 namespace game {
 namespace {
 
 using ribbon::Vec2;
 
-constexpr double slow_height = 12.0;    // m, the height of the view at rest
-constexpr double fast_height = 14.5;    // m, at full speed
-constexpr double full_speed = 12.0;     // m/s
-constexpr double facing_ahead = 1.2;    // m, ahead in the direction that the player faces
-constexpr double seconds_ahead = 0.32;  // s, ahead at the player's velocity
-constexpr double max_ahead = 3.6;       // m
-constexpr double above = 0.8;           // m, above the centre of the player
-constexpr double tick_dt = 1.0 / 60.0;  // s
-constexpr double stiffness = 6.0;       // rad/s, of the spring
-constexpr double zooming = 0.03;        // fraction of the remaining height of the view per tick
-constexpr double smoothing = 0.08;      // the same for the velocity and the direction that the player faces
-constexpr double rise_zone = 2.3;       // m, by which a player in the air rises without moving the camera: a jump
-constexpr double fall_zone = 0.4;       // m, by which it falls
-constexpr double catch_up = 0.12;       // fraction per tick of the remaining distance after a jump
-constexpr double soles = 0.75;          // m, below the centre of the player
-constexpr double below_ground = 0.8;    // m, of ground in the picture during a jump
-constexpr double above_player = 1.4;    // m, from its centre to the edge of the picture
-constexpr double up_ahead = 0.15;       // s, ahead of a player that rises, for the same
-constexpr double jump_height = 16.0;    // m, max. height of the view to show the ground
-constexpr double edge_zone = 2.5;       // m
-constexpr double around_target = 0.65;  // m, from the middle of a target to the edge of the picture
-constexpr double most_rise = 2.0;       // m, by which the camera rises for a target; from twice that on it does not
-constexpr double beside_players = 4.0;  // m, from the outer one of two players to the edge of the picture
-constexpr double over_players = 3.0;    // m, the same up and down
-constexpr double most_for_two = 26.0;   // m, max. height of the view to show both
+constexpr double slow_height = 12.0;      // m, the height of the view at rest
+constexpr double fast_height = 14.5;      // m, at full speed
+constexpr double full_speed = 12.0;       // m/s
+constexpr double facing_ahead = 1.2;      // m, ahead in the direction that the player faces
+constexpr double seconds_ahead = 0.32;    // s, ahead at the player's velocity
+constexpr double max_ahead = 3.6;         // m
+constexpr double subject_height = 0.8;    // m, above the centre of the player
+constexpr double stiffness = 6.0;         // rad/s, of the spring
+constexpr double zooming = 0.03;          // fraction of the remaining height of the view per tick
+constexpr double smoothing = 0.08;        // the same for the velocity and the direction that the player faces
+constexpr double rise_zone = 2.3;         // m, by which a player in the air rises without moving the camera: a jump
+constexpr double fall_zone = 0.4;         // m, by which it falls
+constexpr double catch_up = 0.12;         // fraction per tick of the remaining distance after a jump
+constexpr double soles = 0.75;            // m, below the centre of the player
+constexpr double below_ground = 0.8;      // m, of ground in the picture during a jump
+constexpr double min_above_player = 1.4;  // m, from its centre to the edge of the picture
+constexpr double up_ahead = 0.15;         // s, ahead of a player that rises, for the same
+constexpr double jump_height = 16.0;      // m, max. height of the view to show the ground
+constexpr double edge_zone = 2.5;         // m
+constexpr double around_target = 0.65;    // m, from the middle of a target to the edge of the picture
+constexpr double most_rise = 2.0;         // m, by which the camera rises for a target; from twice that on it does not
+constexpr double beside_players = 4.0;    // m, from the outer one of two players to the edge of the picture
+constexpr double over_players = 3.0;      // m, the same up and down
+constexpr double most_for_two = 26.0;     // m, max. height of the view to show both
 constexpr double usual_aspect = 16.0 / 9.0;
 constexpr double steady_height = 0.5 * (slow_height + fast_height);  // m, with reduced motion
 constexpr double max_acceleration = 45.0;                            // m/s²
@@ -49,7 +49,7 @@ Vec2 clamp_length(Vec2 v, double max_length) {
 
 /// Returns the height that has to be in the picture during a jump, m.
 double highest_shown(const CameraSubject& subject) {
-  return subject.at.y + above_player + up_ahead * std::max(0.0, subject.velocity.y);
+  return subject.at.y + min_above_player + up_ahead * std::max(0.0, subject.velocity.y);
 }
 
 /// Returns the height of the view that shows both players, m; 0 for one.
@@ -113,7 +113,8 @@ Camera::Place Camera::wanted(const CameraSubject& subject) const {
   place.height = slow_height + (fast_height - slow_height) * speed;
   // The spring lags behind a constant velocity: aim ahead by as much.
   const Vec2 lag = (2.0 / stiffness) * subject_velocity_;
-  place.at = Vec2{subject.at.x + facing_ahead * facing_ + ahead.x, level_height_ + above + 0.8 * ahead.y} + lag;
+  place.at =
+      Vec2{subject.at.x + facing_ahead * facing_ + ahead.x, level_height_ + subject_height + 0.8 * ahead.y} + lag;
   if (ground_) {
     const double lowest = *ground_ - below_ground;
     const double highest = highest_shown(subject);

@@ -16,9 +16,9 @@ using engine::Color;
 using ribbon::PointKind;
 using ribbon::Vec2;
 
-constexpr double min_width = 0.07;  // m, so that thin ropes are visible
-constexpr double outline = 0.05;    // m, half of it on each side
-constexpr double piece = 8.0;       // px, the length of straight pieces of a curve
+constexpr double min_width = 0.07;     // m, so that thin ropes are visible
+constexpr double cord_outline = 0.05;  // m, half of it on each side
+constexpr double piece = 8.0;          // px, the length of straight pieces of a curve
 
 /// Returns the number of pieces of the spline between two columns.
 int steps_between(const Pen& pen, const DrawnCord& cord) {
@@ -68,7 +68,7 @@ void draw_rope(Pen& pen, const DrawnCord& cord, const std::vector<Color>& colors
   const Color color = mix(own_color(pen, cord), {255, 255, 255}, 0.45 * taut);
   draw_tremble(pen, curve, width, taut);
   engine::StripLook look;
-  look.width = width + outline;
+  look.width = width + cord_outline;
   look.color = mix(pen.colors.ink, color, 0.25);
   pen.canvas.strip(curve, look);
   look.image = width < 0.12 ? &pen.images.cord : &pen.images.rope;

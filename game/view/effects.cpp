@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/simulation/tick_rate.h"
 #include "ribbon/box2d/convert.h"
 
 namespace game {
@@ -11,12 +12,11 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-constexpr double tick_dt = 1.0 / ticks_per_second;  // s
-constexpr int max_gap = 30;                         // ticks
-constexpr int leaf_ticks = 45;                      // between two leaves
-constexpr int step_ticks = 9;                       // between two footsteps
-constexpr double min_dust_speed = 2.5;              // m/s, of a landing
-constexpr Vec2 breeze{1.3, 0.0};                    // m/s
+constexpr int max_gap = 30;             // ticks
+constexpr int leaf_ticks = 45;          // between two leaves
+constexpr int step_ticks = 9;           // between two footsteps
+constexpr double min_dust_speed = 2.5;  // m/s, of a landing
+constexpr Vec2 breeze{1.3, 0.0};        // m/s
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "game/simulation/tick_rate.h"
 #include "game/view/shading.h"
 #include "game/view/veil.h"
 
@@ -10,8 +11,7 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double gravity = 9.81;        // m/s²
-constexpr double tick_dt = 1.0 / 60.0;  // s
+constexpr double gravity = 9.81;  // m/s²
 
 }  // namespace
 

@@ -26,20 +26,20 @@ constexpr Clothes clothes_of_second{.jacket = {246, 202, 92},
                                     .scarf_shade = {70, 42, 98},
                                     .trousers = {112, 84, 78},
                                     .trousers_far = {82, 62, 62}};
-constexpr double outline = 0.055;  // m, half of it on each side
+constexpr double figure_outline = 0.055;  // m, half of it on each side
 constexpr double head_radius = 0.19;
 
-struct Limb {
+struct DrawnLimb {
   std::array<Vec2, 3> joints;
   double width;  // m
   Color color;
 };
 
 /// Returns the limbs from far to near.
-std::vector<Limb> limbs_of(const Pose& pose, const Clothes& clothes) {
+std::vector<DrawnLimb> limbs_of(const Pose& pose, const Clothes& clothes) {
   const Vec2 chest = 0.5 * (pose.hip + pose.neck);
   const auto boot = [&pose](std::size_t k) {
-    return Limb{
+    return DrawnLimb{
         {pose.foot[k], pose.foot[k] + Vec2{0.06 * pose.side, -0.005}, pose.foot[k] + Vec2{0.12 * pose.side, -0.01}},
         0.13,
         boots};
@@ -64,9 +64,9 @@ void add_ball(Pen& pen, Vec2 center, double radius) {
 }
 
 /// Sets pen.shape to the whole figure, wider by `wider` m.
-void add_silhouette(Pen& pen, const Pose& pose, const std::vector<Limb>& limbs, double wider) {
+void add_silhouette(Pen& pen, const Pose& pose, const std::vector<DrawnLimb>& limbs, double wider) {
   pen.shape.clear();
-  for (const Limb& limb : limbs) add_limb(pen, limb.joints, limb.width + wider);
+  for (const DrawnLimb& limb : limbs) add_limb(pen, limb.joints, limb.width + wider);
   for (const Vec2 hand : pose.hand) add_ball(pen, hand, 0.065 + 0.5 * wider);
   add_ball(pen, pose.head, head_radius + 0.5 * wider);
   add_limb(pen, pose.scarf, 0.075 + wider);
@@ -94,8 +94,8 @@ void draw_scarf(Pen& pen, const Pose& pose, const Clothes& clothes) {
 const Clothes& clothes_of(int player) { return player == 0 ? clothes_of_first : clothes_of_second; }
 
 void draw_figure(Pen& pen, const Pose& pose, const Clothes& clothes) {
-  const std::vector<Limb> limbs = limbs_of(pose, clothes);
-  add_silhouette(pen, pose, limbs, outline);
+  const std::vector<DrawnLimb> limbs = limbs_of(pose, clothes);
+  add_silhouette(pen, pose, limbs, figure_outline);
   pen.canvas.mesh(pen.shape, pen.colors.figure_rim);
   draw_scarf(pen, pose, clothes);
   for (std::size_t k = 0; k < limbs.size(); ++k) {
@@ -116,8 +116,8 @@ GhostColors ghost_colors(const Palette& colors) {
 
 void draw_ghost(Pen& pen, const Pose& pose) {
   const GhostColors colors = ghost_colors(pen.colors);
-  const std::vector<Limb> limbs = limbs_of(pose, clothes_of(0));
-  add_silhouette(pen, pose, limbs, outline);
+  const std::vector<DrawnLimb> limbs = limbs_of(pose, clothes_of(0));
+  add_silhouette(pen, pose, limbs, figure_outline);
   pen.canvas.mesh(pen.shape, colors.outline);
   add_silhouette(pen, pose, limbs, -0.02);
   pen.canvas.mesh(pen.shape, colors.body);

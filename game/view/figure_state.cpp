@@ -11,8 +11,8 @@ using ribbon::Vec2;
 using ribbon::box2d::CordPoint;
 using ribbon::box2d::Coupling;
 
-constexpr double above = 0.7;  // m of cord above the hand that a figure knows
-constexpr double below = 1.8;  // m below it
+constexpr double known_above = 0.7;  // m of cord above the hand that a figure knows
+constexpr double below = 1.8;        // m below it
 
 const std::vector<Vec2>& points_of(const Snapshot& now, const CordPoint& held) {
   return now.cords[static_cast<std::size_t>(held.cord)];
@@ -60,7 +60,7 @@ void hold(FigureState& state, const Coupling& coupling, const Snapshot& now, con
   const ribbon::box2d::CordView cord = coupling.cord(held.cord);
   const int up = hangs_from_first(cord, now, held) ? -1 : 1;
   HeldCord& around = state.cord.emplace();
-  around.above = walk(cord, now, held, up, above);
+  around.above = walk(cord, now, held, up, known_above);
   around.below = walk(cord, now, held, -up, below);
   around.climbed = up * cord.arc(held.point, held.along);
 }

@@ -11,19 +11,19 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr double reach = 0.42;       // m, from the shoulder to the middle between the hands at rest
-constexpr double shrug = 0.06;       // m, of the shoulders while hanging
-constexpr double hand_gap = 0.13;    // m, between the hands at rest
-constexpr double max_shift = 0.28;   // m, of the drawn figure from its body, towards the held position
-constexpr double max_tilt = 0.20;    // rad, along the cord
-constexpr double max_lean = 0.7;     // rad, towards a held position that is being pulled in
-constexpr double full_climb = 0.9;   // m/s, at which hands and feet move in full
-constexpr double pull = 0.28;        // m, by which a hand goes down with the cord in a climb
-constexpr double lift = 0.17;        // m of climb in which it goes up again
-constexpr double feet_below = 1.40;  // m of cord from the held position to the feet
-constexpr double min_tail = 1.10;    // m of cord below the held position for the feet to find it
-constexpr double easy_reach = 0.55;  // m, from the hip to the cord: the feet hold it
-constexpr double leg_reach = 0.66;   // m: they leave it
+constexpr double reach = 0.42;          // m, from the shoulder to the middle between the hands at rest
+constexpr double hanging_shrug = 0.06;  // m, of the shoulders while hanging
+constexpr double hand_gap = 0.13;       // m, between the hands at rest
+constexpr double max_shift = 0.28;      // m, of the drawn figure from its body, towards the held position
+constexpr double max_tilt = 0.20;       // rad, along the cord
+constexpr double max_lean = 0.7;        // rad, towards a held position that is being pulled in
+constexpr double full_climb = 0.9;      // m/s, at which hands and feet move in full
+constexpr double pull = 0.28;           // m, by which a hand goes down with the cord in a climb
+constexpr double lift = 0.17;           // m of climb in which it goes up again
+constexpr double feet_below = 1.40;     // m of cord from the held position to the feet
+constexpr double min_tail = 1.10;       // m of cord below the held position for the feet to find it
+constexpr double easy_reach = 0.55;     // m, from the hip to the cord: the feet hold it
+constexpr double leg_reach = 0.66;      // m: they leave it
 
 double length_of(const std::vector<Vec2>& way) {
   double sum = 0.0;
@@ -94,7 +94,7 @@ void hang(Pose& pose, const FigureState& state) {
   const double upper = std::max(hands[0], hands[1]);
   const Vec2 middle = 0.5 * (cord.at(upper) + cord.at(upper - hand_gap));
   const Vec2 shift = middle - (reach + torso) * up - standing;
-  set_torso(pose, standing + std::min(1.0, max_shift / std::max(length(shift), max_shift)) * shift, up, shrug);
+  set_torso(pose, standing + std::min(1.0, max_shift / std::max(length(shift), max_shift)) * shift, up, hanging_shrug);
   if (holding_hand(state) == 0) {
     set_holding_arm(pose, 0, cord.held(), pose.side);
     set_arm(pose, 1, pose.shoulder[1] + Vec2{0.2 * pose.side, -0.4}, -pose.side);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "game/view/noise.h"
+#include "game/view/palette.h"
 
 namespace game {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-constexpr Color white{255, 255, 255};
 constexpr Color steel{214, 222, 230};
 constexpr Color ember{255, 120, 30};
 constexpr Color flame{255, 176, 48};

@@ -8,14 +8,14 @@ namespace {
 
 using ribbon::Vec2;
 
-struct Limb {
+struct SolvedLimb {
   Vec2 joint;
   Vec2 end;
 };
 
 /// Inverse kinematics of two bones of the same length from `root` to `target`, or towards it if it is too far. `bend`:
 /// ±1, the side of the joint.
-Limb solve_limb(Vec2 root, Vec2 target, double bone, double bend) {
+SolvedLimb solve_limb(Vec2 root, Vec2 target, double bone, double bend) {
   const Vec2 direction = unit(target - root, {0.0, -1.0});
   const double distance = std::min(length(target - root), 2.0 * bone);
   const double out = std::sqrt(std::max(bone * bone - 0.25 * distance * distance, 0.0));
@@ -43,19 +43,20 @@ void set_torso(Pose& pose, Vec2 hip, Vec2 up, double shrug) {
 }
 
 void set_leg(Pose& pose, std::size_t k, Vec2 foot) {
-  const Limb leg = solve_limb(pose.hip, foot, leg_bone, pose.side);
+  const SolvedLimb leg = solve_limb(pose.hip, foot, leg_bone, pose.side);
   pose.knee[k] = leg.joint;
   pose.foot[k] = leg.end;
 }
 
 void set_arm(Pose& pose, std::size_t k, Vec2 hand, double bend) {
-  const Limb arm = solve_limb(pose.shoulder[k], hand, arm_bone, bend);
+  const SolvedLimb arm = solve_limb(pose.shoulder[k], hand, arm_bone, bend);
   pose.elbow[k] = arm.joint;
   pose.hand[k] = arm.end;
 }
 
 void set_holding_arm(Pose& pose, std::size_t k, Vec2 hand, double bend) {
-  const Limb arm = solve_limb(pose.shoulder[k], hand, std::max(arm_bone, 0.5 * length(hand - pose.shoulder[k])), bend);
+  const SolvedLimb arm =
+      solve_limb(pose.shoulder[k], hand, std::max(arm_bone, 0.5 * length(hand - pose.shoulder[k])), bend);
   pose.elbow[k] = arm.joint;
   pose.hand[k] = arm.end;
 }

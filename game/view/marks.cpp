@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "game/view/palette.h"
 #include "game/words/words.h"
 
 namespace game {
@@ -14,11 +15,9 @@ namespace {
 using engine::Color;
 using ribbon::Vec2;
 
-constexpr Color white{255, 255, 255};
-
 // m, the space below the boards of signs, higher where the player stands at the start
 constexpr double above_ground = 0.7;
-constexpr double above_player = 1.9;
+constexpr double mark_height = 1.9;
 constexpr double beside_start = 1.2;  // m, from the start to the side of such a board
 constexpr double near_start = 3.0;    // m, up or down
 
@@ -151,7 +150,7 @@ void draw_sign(Pen& pen, Vec2 foot, std::string_view text, Vec2 start, double he
   const Vec2 apart = start - foot;
   const bool at_start =
       std::abs(apart.x) < 0.5 * board.x / pen.scale() + beside_start && std::abs(apart.y) < near_start;
-  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, at_start ? above_player : above_ground});
+  const Vec2 bottom = pen.canvas.to_pixels(foot + Vec2{0.0, at_start ? mark_height : above_ground});
   const Vec2 corner = bottom - Vec2{0.5 * board.x, board.y};
   for (const double x : {0.2, 0.8}) {
     const Vec2 top = pen.canvas.to_world({corner.x + x * board.x, corner.y});

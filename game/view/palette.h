@@ -7,6 +7,8 @@
 
 namespace game {
 
+inline constexpr engine::Color white{255, 255, 255};
+
 /// The colours of a place. Those of the backdrop are in order from far to near.
 struct Palette {
   engine::Color sky_top, sky_middle, horizon, sun, cloud, mist;

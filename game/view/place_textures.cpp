@@ -17,7 +17,7 @@ namespace {
 using engine::Color;
 using engine::Image;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int ground_side = 256;  // texels that are computed; the image has twice as many
 
 /// Makes an image that repeats, at twice the resolution by linear interpolation. Thus it can be drawn without a filter,

@@ -14,12 +14,12 @@ namespace {
 using ribbon::Vec2;
 
 constexpr double half_height = 0.75;
-constexpr double stride = 2.7;         // rad/m, phase of the run
-constexpr double full_run = 6.0;       // m/s
-constexpr double arms_up = 0.25;       // s, until the arms are up in a cheer
-constexpr double cheer_rate = 8.0;     // rad/s
-constexpr double shrug = 0.08;         // m, of the shoulders of a figure that stands and holds a cord above it
-constexpr double throwing_arm = 0.52;  // m, from the shoulder to the hand
+constexpr double stride = 2.7;           // rad/m, phase of the run
+constexpr double full_run = 6.0;         // m/s
+constexpr double arms_up = 0.25;         // s, until the arms are up in a cheer
+constexpr double cheer_rate = 8.0;       // rad/s
+constexpr double standing_shrug = 0.08;  // m, of the shoulders of a figure that stands and holds a cord above it
+constexpr double throwing_arm = 0.52;    // m, from the shoulder to the hand
 
 void stand_or_run(Pose& pose, const FigureState& state) {
   const double run = std::min(std::abs(state.velocity.x) / full_run, 1.0);
@@ -29,7 +29,7 @@ void stand_or_run(Pose& pose, const FigureState& state) {
   const Vec2 lean = turned({0.0, 1.0}, -0.26 * run * pose.side);
   const double bounce = state.cheers ? 0.06 * std::pow(std::sin(0.5 * cheer_rate * *state.cheers), 2) : 0.0;
   set_torso(pose, state.at + Vec2{0.0, hip_height + bob + breath - 0.02 * run - bounce}, lean,
-            state.cord ? shrug : 0.0);
+            state.cord ? standing_shrug : 0.0);
   const double ground = state.at.y - half_height + 0.06;
   for (const std::size_t k : {0U, 1U}) {
     const double leg = phase + (k == 0 ? std::numbers::pi : 0.0);
@@ -59,7 +59,7 @@ void fly(Pose& pose, const FigureState& state) {
 
 void hang_from_ledge(Pose& pose, const FigureState& state) {
   const double sway = 0.04 * std::sin(2.0 * state.time);
-  set_torso(pose, state.at + Vec2{0.0, hip_height}, {0.0, 1.0}, shrug);
+  set_torso(pose, state.at + Vec2{0.0, hip_height}, {0.0, 1.0}, standing_shrug);
   for (const std::size_t k : {0U, 1U}) {
     const Vec2 foot = pose.hip + Vec2{pose.side * (k == 0 ? 0.12 : 0.02) + sway, k == 0 ? -0.58 : -0.66};
     set_leg(pose, k, foot);

@@ -15,7 +15,7 @@ using ribbon::box2d::to_double;
 constexpr int corners_of_circle = 32;
 constexpr double rope_width = 0.13;   // m
 constexpr double rope_length = 0.32;  // m, of the rope's image
-constexpr double outline = 0.05;      // m, on each side
+constexpr double rim_outline = 0.05;  // m, on each side
 
 /// Returns the closed outline of a fixture in the world, m; nothing for a shape without an inside.
 std::vector<Vec2> outline_of(const DrawnBody& body, const b2Fixture& fixture) {
@@ -43,7 +43,7 @@ void draw_sticky_rims(Pen& pen, std::span<const DrawnBody> bodies) {
     for (const b2Fixture* fixture = body.body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       const std::vector<Vec2> rim = outline_of(body, *fixture);
       if (rim.empty()) continue;
-      pen.canvas.polyline(rim, rope_width + 2.0 * outline, pen.colors.ink);
+      pen.canvas.polyline(rim, rope_width + 2.0 * rim_outline, pen.colors.ink);
       pen.canvas.strip(rim, {&pen.images.cord, rope_width, rope_length, 0.0, pen.colors.hook_in_range});
     }
   }

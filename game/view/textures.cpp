@@ -18,7 +18,7 @@ namespace {
 using engine::Color;
 using engine::Image;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Image cloth_image() {
   return drawn(64, 64, [](double u, double v) {

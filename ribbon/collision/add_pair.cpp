@@ -38,12 +38,10 @@ void restore_touch(const Member& member, ContactPair& pair) {
 /// weight at the greatest speed. Otherwise a cord that is trapped would be stretched without bound.
 void limit_penetration(const IslandState& state, double distance, double size, double mass, ContactPair& pair) {
   const double depth = pair.contact_distance - distance;
-  const bool is_deep = depth > deep_share * size;
-  if (is_deep) pair.contact_distance = distance + depenetrated_share * depth;
+  if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
   pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
-  double max_in = state.dt * max_depenetration_speed;
   const double weight = usual_gravity * mass;
-  if (is_deep) max_in *= weight / std::max(weight, pair.touch.force);
+  const double max_in = weight / std::max(weight, pair.touch.force) * state.dt * max_depenetration_speed;
   if (pair.initial_penetration > max_in) {
     pair.contact_distance -= pair.initial_penetration - max_in;
     pair.initial_penetration = max_in;

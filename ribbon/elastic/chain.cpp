@@ -83,55 +83,64 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
 ///     A_b ← A_b − g²·(uᵀSu)·u·uᵀ + p·pᵀ/σ    r_b ← r_b + g·(uᵀS·r_a)·u − p·(c − dᵀS·r_a)/σ
 ///
 /// A constrained point has S = 0, a slack link 1/σ = 0. Substitution in the opposite order gives all δ and λ.
+/// This eliminates point a = e + 1, and makes `row` that of point b = e.
+[[gnu::always_inline]] inline EliminatedLink Chain::eliminate_point(const Stage& stage, std::span<const Vec2> x,
+                                                                    std::size_t e, double last_tension,
+                                                                    PointRow& row) const {
+  Block& a = row.a;
+  Vec2& r = row.r;
+  const Vec2 ab = x[e] - x[e + 1];
+  const double size = length(ab);
+  const Vec2 d = unit_or(ab, size, {0.0, 1.0});
+  const Vec2 u = perp(d);
+  const MixedBar mixed = bar(stage, x, e, size, d);
+  const bool slack = tension_only_ && is_slack(mixed, last_tension, 1.0 / stage.inertia[e], size);
+  const double g = slack ? 0.0 : geometric(stage, e, size, last_tension);
+  a.xx += g * u.x * u.x;
+  a.xy += g * u.x * u.y;
+  a.yy += g * u.y * u.y;
+  const double inverse_det = stage.constrained[e + 1] != 0 ? 0.0 : 1.0 / (a.xx * a.yy - a.xy * a.xy);
+  const auto s = [&](Vec2 v) { return inverse_det * Vec2{a.yy * v.x - a.xy * v.y, a.xx * v.y - a.xy * v.x}; };
+  const Vec2 sd = s(d);
+  const Vec2 su = s(u);
+  const Vec2 sr = s(r);
+  const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), row.min_sigma);
+  const Vec2 p = d - (g * dot(u, sd)) * u;
+  const double tension = (mixed.elongation - dot(d, sr)) * inverse_sigma;
+  const Vec2 slope = inverse_sigma * p;
+
+  const double across = g * (1.0 - g * dot(u, su));
+  a.xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
+  a.xy = without_dust(across * u.x * u.y + p.x * slope.y);
+  a.yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
+  r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
+  return {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
+}
+
 bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                         std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) {
-  const double min_sigma = min_singular_compliance / stage.inertia[0];
   const std::size_t n = x.size();
-  Block a{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]};  // A and r of the next point to eliminate
-  Vec2 r = stage.residual(n - 1, x[n - 1]);
+  PointRow row{{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]},
+               stage.residual(n - 1, x[n - 1]),
+               min_singular_compliance / stage.inertia[0]};
   std::size_t bodies = stage.condensed_bodies.size();
   const auto add_others = [&](std::size_t point) {
-    if (!stage.resistance.empty()) a = a + stage.resistance[point];
+    if (!stage.resistance.empty()) row.a = row.a + stage.resistance[point];
     while (bodies > 0 && stage.condensed_bodies[bodies - 1].point == point) {
       --bodies;
-      a = a + stage.condensed_bodies[bodies].stiffness;
-      r += stage.condensed_bodies[bodies].residual;
+      row.a = row.a + stage.condensed_bodies[bodies].stiffness;
+      row.r += stage.condensed_bodies[bodies].residual;
     }
   };
   add_others(n - 1);
-
-  for (std::size_t e = n - 1; e-- > 0;) {  // from point a = e + 1 to b = e
-    const Vec2 ab = x[e] - x[e + 1];
-    const double size = length(ab);
-    const Vec2 d = unit_or(ab, size, {0.0, 1.0});
-    const Vec2 u = perp(d);
-    const MixedBar mixed = bar(stage, x, e, size, d);
-    const bool slack = tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size);
-    const double g = slack ? 0.0 : geometric(stage, e, size, tensions[e]);
-    a.xx += g * u.x * u.x;
-    a.xy += g * u.x * u.y;
-    a.yy += g * u.y * u.y;
-    const double inverse_det = stage.constrained[e + 1] != 0 ? 0.0 : 1.0 / (a.xx * a.yy - a.xy * a.xy);
-    const auto s = [&](Vec2 v) { return inverse_det * Vec2{a.yy * v.x - a.xy * v.y, a.xx * v.y - a.xy * v.x}; };
-    const Vec2 sd = s(d);
-    const Vec2 su = s(u);
-    const Vec2 sr = s(r);
-    const double inverse_sigma = slack ? 0.0 : 1.0 / std::max(mixed.compliance + dot(d, sd), min_sigma);
-    const Vec2 p = d - (g * dot(u, sd)) * u;
-    const double tension = (mixed.elongation - dot(d, sr)) * inverse_sigma;
-    const Vec2 slope = inverse_sigma * p;
-    eliminated[e] = {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
-
-    const double across = g * (1.0 - g * dot(u, su));
-    a.xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
-    a.xy = without_dust(across * u.x * u.y + p.x * slope.y);
-    a.yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
-    r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
+  for (std::size_t e = n - 1; e-- > 0;) {
+    eliminated[e] = eliminate_point(stage, x, e, tensions[e], row);
     add_others(e);
   }
 
   direction[0] = {};
   if (stage.constrained[0] == 0) {
+    const auto& [a, r, min_sigma] = row;
     direction[0] = (1.0 / (a.xx * a.yy - a.xy * a.xy)) * Vec2{a.yy * r.x - a.xy * r.y, a.xx * r.y - a.xy * r.x};
   }
   for (std::size_t e = 0; e + 1 < n; ++e) {

@@ -38,6 +38,15 @@ class Chain final : public Elasticity {
   bool become(const CordDef& def) override;
 
  private:
+  /// The row of the next point that is eliminated: A·δ = r.
+  struct PointRow {
+    Block a;           ///< N/m
+    Vec2 r;            ///< N
+    double min_sigma;  ///< least σ, m/N
+  };
+
+  EliminatedLink eliminate_point(const Stage& stage, std::span<const Vec2> x, std::size_t e, double last_tension,
+                                 PointRow& row) const;
   bool is_left_out(std::size_t link) const { return !left_out_.empty() && left_out_[link] != 0; }
   void define(const CordDef& def);
   double compliance(std::size_t link) const { return rest_lengths_[link] * inverse_stiffness_; }

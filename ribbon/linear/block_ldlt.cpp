@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "ribbon/linear/pair.h"
-
 namespace ribbon {
 
 inline void BlockLdlt::Block::operator+=(Block b) {
@@ -222,22 +220,16 @@ bool BlockLdlt::eliminate_rows(std::size_t first_row) {
   return (this->*functions[scalars])(first_row);
 }
 
-/// Subtracts what pivots contribute to the row of the first of `count` columns, and moves them on to their next blocks.
-template <std::size_t rows, std::size_t scalars>
-[[gnu::always_inline]] inline void BlockLdlt::subtract_rows(Pivot* pivots, const int* columns, std::size_t count) {
-  const std::size_t target = at(columns[0]);
-  if (held_[target] != 0) {
-    for (std::size_t k = 0; k < rows; ++k) *pivots[k].block++ = {};
-    return;
-  }
-  std::array<std::array<Pair, 2>, rows> l;
-  std::array<const Block*, rows> later;
+/// Eliminates the next block of each pivot, which is in the column of `target`: it becomes a block of L, and is
+/// subtracted from the diagonal and the right side of the target.
+template <std::size_t rows>
+[[gnu::always_inline]] inline BlockLdlt::Factors<rows> BlockLdlt::eliminate_column(Pivot* pivots, std::size_t target) {
+  Factors<rows> factors;
   Diagonal& diagonal = diagonals_[target];
   for (std::size_t k = 0; k < rows; ++k) {
     const Diagonal inverse = pivots[k].inverse;
     const Vec2 r = pivots[k].right_side;
     Block& block = *pivots[k].block++;
-    later[k] = pivots[k].block;
     const Pair b_x = load_pair(&block.xx);
     const Pair b_y = load_pair(&block.yx);
     const Pair l_x = inverse.xx * b_x + inverse.xy * b_y;
@@ -247,35 +239,54 @@ template <std::size_t rows, std::size_t scalars>
     subtract_pair(l_x * r.x + l_y * r.y, &right_side_[target].x);
     subtract_pair(l_x[0] * b_x + l_y[0] * b_y, &diagonal.xx);
     diagonal.yy -= (l_x * b_x + l_y * b_y)[1];
-    l[k] = {l_x, l_y};
+    factors.l[k] = {l_x, l_y};
+    factors.later[k] = pivots[k].block;
   }
-  const auto subtract_from = [&](Block& block, std::size_t j) {
-    Pair x = load_pair(&block.xx);
-    Pair y = load_pair(&block.yx);
-    for (std::size_t k = 0; k < rows; ++k) {
-      const Pair c_x = load_pair(&later[k][j].xx);
-      if (((scalars >> k) & 1U) != 0) {
-        x = x - l[k][0][0] * c_x;
-        y = y - l[k][0][1] * c_x;
-        continue;
-      }
-      const Pair c_y = load_pair(&later[k][j].yx);
-      x = x - (l[k][0][0] * c_x + l[k][1][0] * c_y);
-      y = y - (l[k][0][1] * c_x + l[k][1][1] * c_y);
+  return factors;
+}
+
+/// Subtracts Lᵀ·B_j of each pivot from a block of the target's row, B_j being the pivot's block number j from its next
+/// one on.
+template <std::size_t rows, std::size_t scalars>
+[[gnu::always_inline]] inline void BlockLdlt::subtract_products(const Factors<rows>& factors, std::size_t j,
+                                                                Block& block) {
+  const auto& [l, later] = factors;
+  Pair x = load_pair(&block.xx);
+  Pair y = load_pair(&block.yx);
+  for (std::size_t k = 0; k < rows; ++k) {
+    const Pair c_x = load_pair(&later[k][j].xx);
+    if (((scalars >> k) & 1U) != 0) {
+      x = x - l[k][0][0] * c_x;
+      y = y - l[k][0][1] * c_x;
+      continue;
     }
-    store_pair(x, &block.xx);
-    store_pair(y, &block.yx);
-  };
+    const Pair c_y = load_pair(&later[k][j].yx);
+    x = x - (l[k][0][0] * c_x + l[k][1][0] * c_y);
+    y = y - (l[k][0][1] * c_x + l[k][1][1] * c_y);
+  }
+  store_pair(x, &block.xx);
+  store_pair(y, &block.yx);
+}
+
+/// Subtracts what pivots contribute to the row of the first of `count` columns, and moves them on to their next blocks.
+template <std::size_t rows, std::size_t scalars>
+[[gnu::always_inline]] inline void BlockLdlt::subtract_rows(Pivot* pivots, const int* columns, std::size_t count) {
+  const std::size_t target = at(columns[0]);
+  if (held_[target] != 0) {
+    for (std::size_t k = 0; k < rows; ++k) *pivots[k].block++ = {};
+    return;
+  }
+  const Factors<rows> factors = eliminate_column<rows>(pivots, target);
   const std::size_t first = pattern_.first(target);
   Block* block = blocks_.data() + first;
   if (rows > 1 && pattern_.first(target + 1) - first == count - 1) {  // the target has no other columns than these
-    for (std::size_t j = 0; j + 1 < count; ++j) subtract_from(*block++, j);
+    for (std::size_t j = 0; j + 1 < count; ++j) subtract_products<rows, scalars>(factors, j, *block++);
     return;
   }
   const int* column = pattern_.columns() + first;
   for (std::size_t j = 0; j + 1 < count; ++j) {
     while (*column != columns[j + 1]) ++column, ++block;
-    subtract_from(*block, j);
+    subtract_products<rows, scalars>(factors, j, *block);
   }
 }
 

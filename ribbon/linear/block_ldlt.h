@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "ribbon/linear/banded_ldlt.h"
 #include "ribbon/linear/block_pattern.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/linear/pair.h"
 #include "ribbon/vec2.h"
 
 namespace ribbon {
@@ -77,6 +79,12 @@ class BlockLdlt {
     Vec2 right_side;
     Block* block;  ///< the next to be eliminated
   };
+  /// Of pivots, in one column.
+  template <std::size_t rows>
+  struct Factors {
+    std::array<std::array<Pair, 2>, rows> l;  ///< rows of the block of L
+    std::array<const Block*, rows> later;     ///< the blocks behind it
+  };
   static constexpr char scalar_dual = 2;  // a value of dual_
 
   void load_right_side(std::span<const Vec2> b);
@@ -86,6 +94,10 @@ class BlockLdlt {
   bool eliminate_rows(std::size_t first_row);
   template <std::size_t rows, std::size_t scalars>
   bool eliminate(std::size_t first_row);
+  template <std::size_t rows>
+  Factors<rows> eliminate_column(Pivot* pivots, std::size_t target);
+  template <std::size_t rows, std::size_t scalars>
+  static void subtract_products(const Factors<rows>& factors, std::size_t j, Block& block);
   template <std::size_t rows, std::size_t scalars>
   void subtract_rows(Pivot* pivots, const int* columns, std::size_t count);
   void substitute(std::span<Vec2> b);

@@ -165,10 +165,10 @@ Cord::Energy CordParts::energy(Vec2 gravity) const {
   return sum;
 }
 
-Cord::Sweep CordParts::find_sweep() const {
+CordSweep CordParts::find_sweep() const {
   const std::vector<Vec2>& x = state.positions;
   const double elastic = state.asleep ? 0.0 : elasticity->energy({x, state.velocities}, state.tensions);
-  Cord::Sweep found{{x[0], x[0]}, 0.0, elastic, state.rest[0]};
+  CordSweep found{{x[0], x[0]}, 0.0, elastic, state.rest[0]};
   const auto include = [&box = found.box](Vec2 point) {
     box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
     box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};

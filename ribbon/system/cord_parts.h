@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_sweep.h"
 #include "ribbon/elastic/elasticity.h"
 
 namespace ribbon {
@@ -45,10 +46,10 @@ struct CordParts {
   Cord::Energy energy(Vec2 gravity) const;
   /// Returns the tension of a link, N; see Cord::tension.
   double tension(std::size_t link) const;
-  /// Returns the force that moves a driven point as it moves; see Cord::reaction.
+  /// Returns the force that moves a driven point as it moves; see reaction().
   Vec2 holding_force(std::size_t point, Vec2 gravity) const;
-  /// Returns box, highest speed and elastic energy; see Cord::Sweep. O(points).
-  Cord::Sweep find_sweep() const;
+  /// Returns box, highest speed and elastic energy; see CordSweep. O(points).
+  CordSweep find_sweep() const;
   /// Stores them until the cord is changed.
   void remember_sweep();
 
@@ -67,7 +68,7 @@ struct CordParts {
   /// Returns whether a link is left to a wheel.
   bool is_on_wheel(std::size_t link) const { return !on_wheels.empty() && on_wheels[link] != 0; }
 
-  std::optional<Cord::Sweep> sweep;  // of this state, if it is known; first, because resting cords are asked for it
+  std::optional<CordSweep> sweep;  // of this state, if it is known; first, because resting cords are asked for it
   CordDef def;
   std::unique_ptr<Elasticity> elasticity;
   Cord::State state;               // `unlocked` is empty: the elasticity stores it

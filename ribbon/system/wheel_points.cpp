@@ -53,9 +53,9 @@ double mass_on_wheel(const CordParts& cord, const PulleyDef& def) {
 
 double wheel_mass(const PulleyDef& def) { return def.inertia / (def.radius * def.radius); }
 
-/// The part of the cord between its points fits the path around the wheel, but for a few percent: the definition's
-/// lengths and what is laid by hand need not agree to the last digit.
-Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
+namespace {
+
+void check_free_part(const CordParts& cord, const PulleyDef& def) {
   check(def, cord.def.points);
   if (cord.def.rows > 1 || cord.def.bending_stiffness > 0.0) {
     throw CallError("a ribbon or a stiff cord has no pulley; accepted is a rope without bending stiffness");
@@ -69,6 +69,23 @@ Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
     throw CallError("points " + std::to_string(def.before) + " to " + std::to_string(def.after) +
                     " are on another wheel; accepted are ones before or behind it");
   }
+}
+
+/// The part of the cord between its points fits the path around the wheel, but for a few percent: the definition's
+/// lengths and what is laid by hand need not agree to the last digit.
+void check_fit(const PulleyDef& def, double part, double trail, double straight) {
+  const double off = std::abs(trail - straight);
+  if (off < accepted_misfit * part && trail > 0.0) return;
+  throw DefinitionError("a cord of " + std::to_string(part) + " m between points " + std::to_string(def.before) +
+                        " and " + std::to_string(def.after) + " does not fit a path of " +
+                        std::to_string(part - trail + straight) +
+                        " m around the wheel; accepted is a tenth more or less");
+}
+
+}  // namespace
+
+Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
+  check_free_part(cord, def);
   const double sense = def.counterclockwise ? 1.0 : -1.0;
   const TangentLine in = arriving_line(cord.state.positions[at(def.before)] - def.center, def.radius, sense);
   const TangentLine out = leaving_line(cord.state.positions[at(def.after)] - def.center, def.radius, sense);
@@ -80,14 +97,7 @@ Pulley make_pulley(CordParts& cord, const PulleyDef& def) {
   pulley.arrival = in.normal;
   pulley.departure = out.normal;
   const double trail = trail_of(cord, pulley);
-  const double part = sum_of_rest(cord, def);
-  const double off = std::abs(trail - out.length);
-  if (!(off < accepted_misfit * part) || !(trail > 0.0)) {
-    throw DefinitionError("a cord of " + std::to_string(part) + " m between points " + std::to_string(def.before) +
-                          " and " + std::to_string(def.after) + " does not fit a path of " +
-                          std::to_string(part - trail + out.length) +
-                          " m around the wheel; accepted is a tenth more or less");
-  }
+  check_fit(def, sum_of_rest(cord, def), trail, out.length);
   const WheelPath path{def.center, def.radius, sense, in, out, pulley.lead, pulley.arc, trail};
   double distance = 0.0;
   for (int p = def.before + 1; p < def.after; ++p) {

@@ -39,7 +39,7 @@ double mass_on_wheel(const CordParts& cord, const PulleyDef& def);
 /// Returns the mass that has the moment of inertia of a wheel at its radius, kg.
 double wheel_mass(const PulleyDef& def);
 
-/// Returns a pulley of a cord as its points lie, and places those between on it. Throws as Cord::add_pulley does.
+/// Returns a pulley of a cord as its points lie, and places those between on it. Throws as add_pulley does.
 Pulley make_pulley(CordParts& cord, const PulleyDef& def);
 /// Finds where cords arrive at their wheels and leave them, takes points up that are about to reach a wheel, and lets
 /// go of those that have left it. Before each attempt at a step; `first` before the first one.

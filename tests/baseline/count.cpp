@@ -69,7 +69,7 @@ Row count_run(const std::filesystem::path& replay) {
   Row row{replay.stem().string(), "recorded run", "", points(run.simulation().scene().coupling())};
   while (!run.is_over()) {
     run.tick({});
-    add_tick(row, run.simulation().scene().coupling().tick_report().work);
+    add_tick(row, run.simulation().scene().coupling().last_step().report().work);
   }
   if (run.exit_status() != 0) throw std::runtime_error(replay.string() + ": " + run.closing_line());
   return row;

@@ -70,9 +70,9 @@ TEST(BitScenes, CoverEveryPathThroughTheSolvers) {
         woken += was_asleep[static_cast<std::size_t>(c)] && !is_asleep ? 1U : 0U;
         was_asleep[static_cast<std::size_t>(c)] = is_asleep;
       }
-      begun += world.coupling.touch_events().size();
-      cuts += world.coupling.cut_events().size();
-      sensed += world.coupling.sensor_events().size();
+      begun += world.coupling.last_step().touch_events().size();
+      cuts += world.coupling.last_step().cut_events().size();
+      sensed += world.coupling.last_step().sensor_events().size();
       for (int grip = 1; grip < 20; ++grip) {
         const auto held = world.coupling.grip(grip);
         slipped += held.is_valid() && held.state().slips ? 1U : 0U;

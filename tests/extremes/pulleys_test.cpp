@@ -55,7 +55,7 @@ class Machine {
   void tick(int number) {
     if (number % 10 == 9) act();
     coupling.tick(world, dt);
-    unconverged += coupling.tick_report().unconverged;
+    unconverged += coupling.last_step().report().unconverged;
   }
   /// Returns the highest speed of a point, m/s; infinity if a value is not finite.
   double highest_speed() const {

@@ -7,6 +7,7 @@
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
 #include "ribbon/system/held_body.h"
+#include "tests/support/move_body.h"
 
 namespace flight {
 namespace {
@@ -26,17 +27,8 @@ struct Place {
 };
 
 Place after_step(RigidBody body, double dt) {
-  double turned = dt * body.angular_velocity;
   if (body.rests) return {body};
-  if (body.solved) {
-    turned = body.turned;
-    body.position += body.moved;
-    body.velocity += dt * body.acceleration + body.inverse_mass * body.impulse;
-    body.angular_velocity += body.inverse_inertia * body.angular_impulse;
-  } else {
-    if (body.inverse_mass > 0.0) body.velocity += dt * body.acceleration;
-    body.position += dt * body.velocity;
-  }
+  const double turned = test_support::move_body(body, dt);
   return {body, ribbon::rotation(turned)};
 }
 

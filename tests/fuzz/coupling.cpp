@@ -278,7 +278,7 @@ void Fuzzed::cut() {
       if (!coupling_.cord(c).is_valid() || coupling_.cord(c).solver() != ribbon::box2d::Solver::direct) return;
       accepts([&] { coupling_.cord(c).direct().set_breaking_force(bytes_.integer(0, 8), bytes_.number(0.0, 100.0)); });
   }
-  for (const ribbon::box2d::CutEvent& event : coupling_.cut_events()) {
+  for (const ribbon::box2d::CutEvent& event : coupling_.last_step().cut_events()) {
     require(!event.first || event.first != event.second, "the pieces of a cord have ids of their own");
   }
 }
@@ -339,7 +339,7 @@ void Fuzzed::listen() {
 
 /// An event agrees with the overlaps that there are.
 void Fuzzed::look_at_sensors() const {
-  for (const ribbon::box2d::SensorEvent& event : coupling_.sensor_events()) {
+  for (const ribbon::box2d::SensorEvent& event : coupling_.last_step().sensor_events()) {
     const auto cord = coupling_.cord(event.cord);
     if (!cord.is_valid() || event.number == 0) continue;
     const auto inside = cord.sensors();
@@ -376,7 +376,7 @@ void Fuzzed::query() {
     require(!hit || (hit->fraction >= 0.0 && hit->fraction <= 1.0 && is_finite(hit->normal)), "a hit is on the ray");
   });
   if (bytes_.boolean()) coupling_.estimate_errors(bytes_.boolean());
-  for (const ribbon::box2d::TouchEvent& touch : coupling_.touch_events()) {
+  for (const ribbon::box2d::TouchEvent& touch : coupling_.last_step().touch_events()) {
     require(is_finite(touch.point) && is_finite(touch.normal), "contact points and normals are finite");
   }
   if (!box2d_keeps_bodies_finite()) return;

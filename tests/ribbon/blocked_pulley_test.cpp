@@ -6,6 +6,7 @@
 
 #include "ribbon/direct_solver.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/pulley.h"
 #include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 #include "tests/support/pulleys.h"
@@ -96,17 +97,17 @@ TEST(BlockedPulley, DoesNotTurnItsWheel) {
 TEST(BlockedPulley, SlipsOnAWheelWithAStrongMotor) {
   Machine machine = blocked_machine(0.5, 0.05);
   const double limit = (std::exp(0.05 * machine.pulley().arc) - 1.0) * machine.pulley().tension_before * 0.2;  // N·m
-  machine.cord.set_motor(0, -3.0, 0.8 * limit);
+  set_motor(machine.cord, 0, -3.0, 0.8 * limit);
   machine.step(60);
   EXPECT_EQ(machine.pulley().turning, 0.0);
   EXPECT_EQ(machine.pulley().slip_sign, 0.0);
-  machine.cord.set_motor(0, -3.0, 1.5 * limit);
+  set_motor(machine.cord, 0, -3.0, 1.5 * limit);
   machine.step();
   EXPECT_NEAR(machine.pulley().turning / (-0.5 * limit / 0.5 / 60.0), 1.0, 0.02);
-  machine.cord.set_motor(0, -3.0, std::numeric_limits<double>::infinity());
+  set_motor(machine.cord, 0, -3.0, std::numeric_limits<double>::infinity());
   machine.step(2);
   EXPECT_EQ(machine.pulley().turning, -3.0);
-  machine.cord.set_motor(0, 0.0, 1e3);
+  set_motor(machine.cord, 0, 0.0, 1e3);
   machine.step(2);
   EXPECT_EQ(machine.pulley().turning, 0.0) << "the brake";
   EXPECT_EQ(machine.unconverged, 0);

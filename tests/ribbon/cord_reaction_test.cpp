@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "tests/support/constants.h"
 #include "tests/support/points.h"
 
-// Cord::reaction: the forces of pins.
+// reaction: the forces of pins.
 
 namespace ribbon {
 namespace {
@@ -69,7 +70,7 @@ std::vector<Case> cases() {
 
 Vec2 total_reaction(const Cord& cord) {
   Vec2 sum{};
-  for (const int pin : cord.def().pins) sum += cord.reaction(pin, gravity);
+  for (const int pin : cord.def().pins) sum += ribbon::reaction(cord, pin, gravity);
   return sum;
 }
 
@@ -133,20 +134,20 @@ TEST(CordReaction, IsTheSameAsleepAndRestored) {
   Cord cord(def);
   for (int k = 0; k < 1800 && !cord.is_asleep(); ++k) cord.step(dt, gravity);
   ASSERT_TRUE(cord.is_asleep());
-  const Vec2 reaction = cord.reaction(0, gravity);
+  const Vec2 reaction = ribbon::reaction(cord, 0, gravity);
   const double weight = def.mass_per_length * def.length * 9.81;
   EXPECT_NEAR(reaction.y, weight, 1e-2 * weight) << "the rest of the motion may be a little";
   Cord other(def);
   other.restore(cord.save());
-  EXPECT_EQ(other.reaction(0, gravity), reaction);
+  EXPECT_EQ(ribbon::reaction(other, 0, gravity), reaction);
 }
 
 TEST(CordReaction, IsZeroAtAFreePoint) {
   Cord cord(rope());
   for (int k = 0; k < 10; ++k) cord.step(dt, gravity);
-  EXPECT_EQ(cord.reaction(5, gravity), Vec2{});
+  EXPECT_EQ(ribbon::reaction(cord, 5, gravity), Vec2{});
   cord.release(0);
-  EXPECT_EQ(cord.reaction(0, gravity), Vec2{});
+  EXPECT_EQ(ribbon::reaction(cord, 0, gravity), Vec2{});
 }
 
 TEST(CordReaction, IncludesTheDragOfAPointThatIsMoved) {
@@ -161,13 +162,13 @@ TEST(CordReaction, IncludesTheDragOfAPointThatIsMoved) {
     cord.step(dt, {});
   }
   const double mass = def.mass_per_length * def.length;
-  EXPECT_NEAR(cord.reaction(0, {}).x + cord.reaction(1, {}).x, def.drag * mass * 0.5, 1e-9);
+  EXPECT_NEAR(ribbon::reaction(cord, 0, {}).x + ribbon::reaction(cord, 1, {}).x, def.drag * mass * 0.5, 1e-9);
 }
 
 TEST(CordReaction, AnUnknownPointIsRefused) {
   const Cord cord(rope());
-  EXPECT_THROW((void)cord.reaction(-1, gravity), DefinitionError);
-  EXPECT_THROW((void)cord.reaction(11, gravity), DefinitionError);
+  EXPECT_THROW((void)ribbon::reaction(cord, -1, gravity), DefinitionError);
+  EXPECT_THROW((void)ribbon::reaction(cord, 11, gravity), DefinitionError);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ribbon/cord_forces.h"
 #include "tests/support/constants.h"
 #include "tests/support/cord_sums.h"
 #include "tests/support/hanging.h"
@@ -73,6 +74,18 @@ TEST(Cut, LosesTheEnergyOfTheBendAtTheCut) {
   EXPECT_GT(bend, 1e-6);
   const double after = sums_of(cut(cord, cut_at(cord, 1.0)), gravity).energy;
   EXPECT_NEAR(sums_of(cord, gravity).energy - after, bend, 1e-12);
+}
+
+TEST(Cut, DividesTheDriftOfTheEnergyByLength) {
+  CordDef terms;
+  terms.stretch_stiffness = 1e3;
+  terms.damping = 0.02;
+  const Cord cord = swinging(terms);
+  const double drift = cord.save().energy_drift;
+  ASSERT_NE(drift, 0.0);
+  const auto [first, second] = cut(cord, cut_at(cord, 0.5));
+  EXPECT_DOUBLE_EQ(first->save().energy_drift, 0.25 * drift);
+  EXPECT_DOUBLE_EQ(second->save().energy_drift, 0.75 * drift);
 }
 
 TEST(Cut, GivesWhatIsAttachedToItsSide) {
@@ -178,15 +191,15 @@ TEST(BreakingForce, OfAUniformHangingCordIsExceededAtTheTopFirst) {
   def.breaking_force = 2.5;
   Cord cord(def);
   for (int k = 0; k < 60; ++k) cord.step(dt, gravity);
-  EXPECT_EQ(cord.overloaded_link(), std::nullopt);
+  EXPECT_EQ(overloaded_link(cord), std::nullopt);
   for (int link = 0; link < 20; ++link) {
     EXPECT_NEAR(cord.tensions()[static_cast<std::size_t>(link)], 0.1 * 9.81 * (1.95 - 0.1 * link), 1e-6);
   }
-  for (double load = 0.0; load < 0.2 && !cord.overloaded_link(); load += 0.001) {
+  for (double load = 0.0; load < 0.2 && !overloaded_link(cord); load += 0.001) {
     cord.attach_mass(20, load);
     cord.step(dt, gravity);
   }
-  EXPECT_EQ(cord.overloaded_link(), 0);
+  EXPECT_EQ(overloaded_link(cord), 0);
   EXPECT_EQ(cut_through(cord, 0).column, 1) << "the break leaves a link at the pin";
 }
 
@@ -194,19 +207,19 @@ TEST(BreakingForce, OfAWeakLinkIsExceededWhereItIs) {
   CordDef def = hanging(21, 2.0);
   Cord cord(def);
   for (int k = 0; k < 20; ++k) cord.step(dt, gravity);
-  EXPECT_EQ(cord.overloaded_link(), std::nullopt);
+  EXPECT_EQ(overloaded_link(cord), std::nullopt);
   cord.set_breaking_force(12, 0.7);
   cord.set_breaking_force(16, 0.2);
   EXPECT_EQ(cord.breaking_force(0), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(cord.overloaded_link(), 16) << "0.34 of 0.2 N is more than 0.74 of 0.7";
+  EXPECT_EQ(overloaded_link(cord), 16) << "0.34 of 0.2 N is more than 0.74 of 0.7";
   const Cord::State state = cord.save();
   Cord other(def);
   other.restore(state);
-  EXPECT_EQ(other.overloaded_link(), 16);
+  EXPECT_EQ(overloaded_link(other), 16);
   const CutPieces pieces = cut(cord, cut_through(cord, 16));
   EXPECT_EQ(pieces.first->breaking_force(12), 0.7);
   EXPECT_EQ(pieces.first->breaking_force(16), 0.2);
-  EXPECT_EQ(pieces.second->overloaded_link(), std::nullopt);
+  EXPECT_EQ(overloaded_link(*pieces.second), std::nullopt);
 }
 
 TEST(BreakingForce, RefusesInvalidArguments) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "ribbon/cut.h"
 #include "ribbon/direct_solver.h"
@@ -36,78 +35,6 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 double acceleration(const Atwood& of) {
   const double wheel = of.wheel.inertia / (of.wheel.radius * of.wheel.radius);
   return (of.right - of.left) * g / (of.left + of.right + wheel);
-}
-
-TEST(Tangent, TouchesTheWheelInTheDirectionOfTravel) {
-  for (const double sense : {1.0, -1.0}) {
-    const Vec2 r{0.3, -1.1};
-    const TangentLine in = arriving_line(r, 0.4, sense);
-    EXPECT_LT(length(r + in.length * in.along - 0.4 * in.normal), 1e-14);
-    EXPECT_LT(length(in.along - sense * perp(in.normal)), 1e-14);
-    const TangentLine out = leaving_line(r, 0.4, sense);
-    EXPECT_LT(length(0.4 * out.normal + out.length * out.along - r), 1e-14);
-    EXPECT_LT(length(out.along - sense * perp(out.normal)), 1e-14);
-  }
-}
-
-TEST(Tangent, FindsAnglesAndPowers) {
-  for (double angle = -3.14; angle < 3.14; angle += 0.01) {
-    EXPECT_NEAR(angle_between(rotation(0.7), rotation(0.7 + angle)), angle, 1e-13);
-  }
-  EXPECT_DOUBLE_EQ(std::abs(angle_between({-1.0, 0.0}, {1.0, 0.0})), std::numbers::pi);
-  for (double x = 0.0; x < 40.0; x += 0.37) EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 1e-12);
-  EXPECT_EQ(exponential(600.0), exponential(40.0));
-}
-
-TEST(Reeving, LaysACordTautAroundWheels) {
-  const ReevedCord tackle = test_support::reeve_tackle(181);
-  // Five straight parts, of which two are 4 m between wheels of the same size, and four half turns.
-  EXPECT_NEAR(tackle.length, 3.0 + 3.0 * 4.0 + 3.5 + 4.0 * 0.1 * std::numbers::pi, 1e-12);
-  EXPECT_EQ(tackle.positions.front(), (Vec2{-0.1, 3.0}));
-  EXPECT_EQ(tackle.positions.back(), (Vec2{0.7, 5.5}));
-  const double link = tackle.length / 180.0;
-  for (std::size_t p = 1; p < tackle.positions.size(); ++p) {
-    const double size = length(tackle.positions[p] - tackle.positions[p - 1]);
-    EXPECT_LE(size, link + 1e-12) << p;
-    EXPECT_GE(size, 0.9 * link) << p;
-  }
-  ASSERT_EQ(tackle.pulleys.size(), 4U);
-  for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_LT(tackle.pulleys[k].before, tackle.pulleys[k].after);
-    if (k > 0) {
-      EXPECT_GT(tackle.pulleys[k].before, tackle.pulleys[k - 1].after);
-    }
-  }
-}
-
-TEST(Reeving, WindsWholeTurns) {
-  PulleyDef wheel{.center = {}, .radius = 0.5, .counterclockwise = false, .turns = 3};
-  const ReevedCord wound = reeve({-0.5, -2.0}, {&wheel, 1}, {0.5, -2.0}, 101);
-  EXPECT_NEAR(wound.length, 4.0 + 7.0 * 0.5 * std::numbers::pi, 1e-12);
-}
-
-TEST(Reeving, RefusesWhatCannotBeLaid) {
-  const std::vector<PulleyDef> close{{.center = {0.0, 0.0}, .radius = 0.5},
-                                     {.center = {0.1, 0.0}, .radius = 0.1, .counterclockwise = true}};
-  EXPECT_EQ(refusal<std::exception>([&] {
-              (void)reeve({-2.0, 0.0}, close, {2.0, 0.0}, 50);
-            }),
-            "wheels of a cord overlap, or one holds an end; accepted are ones with a common tangent");
-  EXPECT_EQ(refusal<std::exception>([&] {
-              (void)reeve({0.1, 0.0}, {close.data(), 1}, {2.0, 0.0}, 50);
-            }),
-            "wheels of a cord overlap, or one holds an end; accepted are ones with a common tangent");
-  const std::vector<PulleyDef> near{{.center = {0.0, 0.0}, .radius = 0.1}, {.center = {1.0, 0.0}, .radius = 0.1}};
-  EXPECT_EQ(refusal<std::exception>([&] {
-              (void)reeve({-9.0, 0.0}, near, {9.0, 0.0}, 8);
-            }),
-            "points are 8, too few for wheel 1; accepted are enough that two lie between neighbouring wheels");
-  EXPECT_EQ(refusal<std::exception>([] { (void)reeve({}, {}, {1.0, 0.0}, 1); }), "points is 1; accepted is 2 to 1e+06");
-  const PulleyDef flat{.center = {}, .radius = 0.0};
-  EXPECT_EQ(refusal<std::exception>([&] {
-              (void)reeve({-1.0, 0.0}, {&flat, 1}, {1.0, 0.0}, 9);
-            }),
-            "radius is 0; accepted is 1e-06 to 1e+06");
 }
 
 /// The bar: within 0.1 % of the formula, the inertia of the wheel included.
@@ -220,7 +147,7 @@ TEST(Pulley, KeepsACordThatBendsAway) {
   Machine machine((Atwood()));
   machine.wall.position = {};
   machine.cord = Cord(def);
-  machine.cord.add_pulley(reeved.pulleys[0]);
+  add_pulley(machine.cord, reeved.pulleys[0]);
   const auto move_ends = [&](double y) {
     const double from = machine.cord.positions()[0].y;
     for (int k = 1; k <= 120; ++k) {
@@ -288,7 +215,7 @@ TEST(Pulley, LiftsALoadWithADrum) {
   atwood.wheel.turns = 2;
   atwood.wheel.motor_torque = unlimited;
   Machine machine(atwood);
-  machine.cord.set_motor(0, 2.0, unlimited);
+  set_motor(machine.cord, 0, 2.0, unlimited);
   machine.step(240);
   EXPECT_NEAR(machine.fall(), -0.2 * 2.0 * (4.0 - 0.5), 0.4);
   EXPECT_NEAR(-machine.cord.velocities().back().y, -0.4, 1e-3);
@@ -300,7 +227,7 @@ TEST(Pulley, TurnsWithTheTorqueOfItsMotor) {
   Atwood atwood;
   atwood.right = 10.0;
   Machine machine(atwood);
-  machine.cord.set_motor(0, -5.0, 3.0);
+  set_motor(machine.cord, 0, -5.0, 3.0);
   machine.step(60);
   const double mass = 20.0 + 0.5 / 0.04;
   EXPECT_NEAR(machine.pulley().speed / (3.0 / 0.2 / mass), 1.0, 2e-3);
@@ -310,102 +237,13 @@ TEST(Pulley, TurnsWithTheTorqueOfItsMotor) {
 
 TEST(Pulley, IsHeldByABrakeUpToItsTorque) {
   Machine held((Atwood()));
-  held.cord.set_motor(0, 0.0, 1.02 * 2.0 * g * 0.2);
+  set_motor(held.cord, 0, 0.0, 1.02 * 2.0 * g * 0.2);
   held.step(60);
   EXPECT_LT(std::abs(held.fall()), 1e-6);
   Machine overhauled((Atwood()));
-  overhauled.cord.set_motor(0, 0.0, 0.5 * 2.0 * g * 0.2);
+  set_motor(overhauled.cord, 0, 0.0, 0.5 * 2.0 * g * 0.2);
   overhauled.step(60);
   EXPECT_NEAR(overhauled.pulley().speed / (0.5 * acceleration(overhauled.atwood)), 1.0, 2e-3);
-}
-
-/// The tackle and what it carries.
-struct Tackle {
-  explicit Tackle(double hand_mass, double load = 40.0, const Accuracy& accuracy = {})
-      : Tackle(make(accuracy), hand_mass, load) {}
-  Tackle(const CordDef& def, double hand_mass, double load) : cord(def) {
-    cord.attach_mass(0, hand_mass);
-    const ReevedCord reeved = test_support::reeve_tackle(points);
-    for (const PulleyDef& pulley : reeved.pulleys) cord.add_pulley(pulley);
-    blocks[0].position = test_support::fixed_block;
-    blocks[1].position = test_support::moving_block;
-    blocks[1].inverse_mass = 1.0 / load;
-    blocks[1].acceleration = gravity;
-  }
-  static CordDef make(const Accuracy& accuracy) {
-    const ReevedCord reeved = test_support::reeve_tackle(points);
-    CordDef def;
-    def.points = points;
-    def.length = reeved.length;
-    def.positions = reeved.positions;
-    def.mass_per_length = 1e-5;
-    def.pins = {points - 1};
-    def.accuracy = accuracy;
-    return def;
-  }
-  /// Returns the kinetic energy of all, J.
-  double kinetic() const {
-    const RigidBody& block = blocks[1];
-    return cord.energy(gravity).kinetic + 0.5 / block.inverse_mass * dot(block.velocity, block.velocity);
-  }
-  /// Returns the energy of all, J.
-  double energy() const {
-    return cord.energy(gravity).potential + kinetic() + g / blocks[1].inverse_mass * blocks[1].position.y;
-  }
-  void step(int times) {
-    const std::vector<Axle> axles = test_support::axles_of_tackle();
-    Surroundings surroundings;
-    surroundings.bodies = blocks;
-    surroundings.axles = axles;
-    for (int k = 0; k < times; ++k) {
-      RigidBody& block = blocks[1];
-      block.impulse = {};
-      block.angular_impulse = 0.0;
-      unconverged += cord.step(dt, gravity, surroundings).unconverged;
-      block.velocity += dt * block.acceleration + block.inverse_mass * block.impulse;
-      block.position += block.moved;
-    }
-  }
-  static constexpr int points = 181;
-  Cord cord;
-  std::vector<RigidBody> blocks{2};
-  int unconverged = 0;
-};
-
-/// A block and tackle 4:1: a quarter of the load holds it, and the hand goes four times as far.
-TEST(Pulley, DividesALoadInATackle) {
-  Tackle balance(10.0);
-  balance.step(120);
-  EXPECT_NEAR(balance.blocks[1].position.y, test_support::moving_block.y, 1e-4);
-  EXPECT_NEAR(balance.cord.pulleys()[0].tension_before / (10.0 * g), 1.0, 1e-3);
-  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
-    Tackle lifting(11.0, 40.0, accuracy);
-    lifting.step(120);
-    const double a = g * (44.0 - 40.0) / (16.0 * 11.0 + 40.0);  // of the load
-    EXPECT_NEAR(lifting.blocks[1].velocity.y / (2.0 * a), 1.0, 1e-3);
-    EXPECT_NEAR(-lifting.cord.velocities().front().y / (8.0 * a), 1.0, 1e-3);
-    for (const Pulley& pulley : lifting.cord.pulleys()) {
-      EXPECT_NEAR(pulley.tension_after / (11.0 * (g - 4.0 * a)), 1.0, 2e-3);
-    }
-    EXPECT_NEAR(lifting.blocks[1].position.x, test_support::moving_block.x, 1e-3);
-    EXPECT_EQ(lifting.unconverged, 0);
-  }
-}
-
-/// The cord on the wheels of the block rises and falls with it, and turns around it. Its gravity may be another one.
-TEST(Pulley, KeepsTheEnergyOfATackleWithAHeavyCord) {
-  for (const double scale : {1.0, 2.5}) {
-    for (const double load : {10.0, 60.0}) {
-      CordDef def = Tackle::make({});
-      def.mass_per_length = 0.5;
-      def.gravity_scale = scale;
-      Tackle tackle(def, load < 20.0 ? 8.0 : 2.0, load);
-      const double start = tackle.energy();
-      tackle.step(20);
-      EXPECT_EQ(tackle.blocks[1].velocity.y > 0.1, load < 20.0);
-      EXPECT_NEAR((tackle.energy() - start) / tackle.kinetic(), 0.0, 0.005) << scale << ' ' << load;
-    }
-  }
 }
 
 /// Mass ratios and steps far from any scene that was tuned.
@@ -424,7 +262,7 @@ TEST(Pulley, IsStableAtTheExtremes) {
         machine.cord = Cord(def);
         machine.cord.attach_mass(0, 1.0);
         machine.cord.attach_mass(atwood.points - 1, ratio);
-        machine.cord.add_pulley(reeved.pulleys[0]);
+        add_pulley(machine.cord, reeved.pulleys[0]);
         machine.step(240);
         for (const Vec2 x : machine.cord.positions()) {
           ASSERT_TRUE(is_finite(x));
@@ -479,7 +317,7 @@ TEST(Pulley, TouchesNothingOnTheWheel) {
   machine.cord = Cord(def);
   machine.cord.attach_mass(0, 10.0);
   machine.cord.attach_mass(120, 12.0);
-  machine.cord.add_pulley(reeved.pulleys[0]);
+  add_pulley(machine.cord, reeved.pulleys[0]);
   const RigidCircle rim{0, {}, 0.19, 0.5, 0.0, 1};
   const Axle axle{0, {}};
   Surroundings surroundings;
@@ -514,7 +352,7 @@ TEST(Pulley, GoesToThePieceThatHasIt) {
 TEST(Pulley, FallsWhenTheCordIsTakenOff) {
   Machine machine(Atwood{});
   machine.step(10);
-  machine.cord.remove_pulley(0);
+  remove_pulley(machine.cord, 0);
   machine.step(60);
   EXPECT_LT(machine.cord.positions()[30].y, 3.0);
 }
@@ -522,28 +360,28 @@ TEST(Pulley, FallsWhenTheCordIsTakenOff) {
 TEST(Pulley, RefusesWhatIsOutOfRange) {
   Cord cord(hanging(21, 4.0));
   EXPECT_EQ(refusal<std::exception>([&] {
-              cord.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 25});
+              add_pulley(cord, {.center = {0.1, -2.0}, .before = 9, .after = 25});
             }),
             "after is 25; accepted is 10 to 20");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .radius = -1.0}); }),
+  EXPECT_EQ(refusal<std::exception>([&] { add_pulley(cord, {.center = {}, .radius = -1.0}); }),
             "radius is -1; accepted is 1e-06 to 1e+06");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .friction = 11.0}); }),
+  EXPECT_EQ(refusal<std::exception>([&] { add_pulley(cord, {.center = {}, .friction = 11.0}); }),
             "friction of a groove is 11; accepted is 0 to 10");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.add_pulley({.center = {}, .motor_torque = -1.0}); }),
+  EXPECT_EQ(refusal<std::exception>([&] { add_pulley(cord, {.center = {}, .motor_torque = -1.0}); }),
             "motor_torque is -1; accepted is 0 up to infinity");
-  EXPECT_EQ(refusal<std::exception>([&] { cord.remove_pulley(0); }), "pulley is 0; the cord has none");
+  EXPECT_EQ(refusal<std::exception>([&] { remove_pulley(cord, 0); }), "pulley is 0; the cord has none");
   const std::string misfit = refusal<std::exception>([&] {
-    cord.add_pulley({.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12});
+    add_pulley(cord, {.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12});
   });
   EXPECT_NE(misfit.find("does not fit a path of"), std::string::npos) << misfit;
   EXPECT_TRUE(cord.pulleys().empty());
   Machine machine(Atwood{});
   EXPECT_NE(
-      refusal<std::exception>([&] { machine.cord.add_pulley(machine.pulley().def); }).find("are on another wheel"),
+      refusal<std::exception>([&] { add_pulley(machine.cord, machine.pulley().def); }).find("are on another wheel"),
       std::string::npos);
   EXPECT_EQ(refusal<std::exception>([&] { machine.cord.step(dt, gravity); }),
             "axles are 0; accepted is one for each of the 1 pulleys of the cord");
-  EXPECT_EQ(refusal<std::exception>([&] { machine.cord.set_motor(0, 1e7, 1.0); }),
+  EXPECT_EQ(refusal<std::exception>([&] { set_motor(machine.cord, 0, 1e7, 1.0); }),
             "motor_speed is 1e+07; accepted is -1e+06 to 1e+06");
 }
 
@@ -552,7 +390,7 @@ TEST(Pulley, IsNotForRibbonsAndStiffRopes) {
   def.bending_stiffness = 0.1;
   Cord stiff(def);
   EXPECT_EQ(refusal<std::exception>([&] {
-              stiff.add_pulley({.center = {0.1, -2.0}, .before = 9, .after = 12});
+              add_pulley(stiff, {.center = {0.1, -2.0}, .before = 9, .after = 12});
             }),
             "a ribbon or a stiff cord has no pulley; accepted is a rope without bending stiffness");
 }

@@ -235,13 +235,9 @@ int print_by_cord(const Command& command) {
   return 0;
 }
 
-int run(const Command& command) {
-  if (command.validation_runs) return print_validation(command);
-  const LevelFile file(command.level);
-  const std::string replay = replay_of(command, file);
-  if (command.terms) return print_terms(file, replay);
+namespace {
 
-  print_grid(grid(command.quick));
+StudyOptions options_of(const Command& command, const LevelFile& file) {
   StudyOptions options;
   options.others = players_that_meet_cords(file.level(), 0, judging_players);
   options.quick = command.quick;
@@ -252,6 +248,19 @@ int run(const Command& command) {
   options.stopped = [] { return interrupted != 0; };
   options.progress = [](double share, double left) { show_progress("study", share, left); };
   options.by_cord_progress = [](double share) { show_progress("by cord", share); };
+  return options;
+}
+
+}  // namespace
+
+int run(const Command& command) {
+  if (command.validation_runs) return print_validation(command);
+  const LevelFile file(command.level);
+  const std::string replay = replay_of(command, file);
+  if (command.terms) return print_terms(file, replay);
+
+  print_grid(grid(command.quick));
+  const StudyOptions options = options_of(command, file);
   const auto before = std::signal(SIGINT, interrupt);
   const Study study = measure(file, replay, options);
   std::signal(SIGINT, before);

@@ -85,13 +85,8 @@ class LevelStudy {
       if (!find_reference(mesh)) return study;
       study.references.push_back(converged_[mesh].about);
     }
-    const Setting finest = reference({finer_mesh}, false, options_->quick);
     if (stopped()) return study;
-    const bool has_other_meshes = std::any_of(grid_.settings.begin(), grid_.settings.end(),
-                                              [](const Setting& setting) { return mesh_of(setting) != Mesh{}; });
-    const bool has_finer = options_->grid.empty() && has_other_meshes && file_->left_out_reason(finest).empty();
-    const Trace fine = has_finer ? whole_run(finest, end_of_comparison()) : Trace{};
-    progress_.add(work_of(finest));
+    const Trace fine = finest_run();
     const game::Level original = file_->level();
     const Windows windows(original, inputs_, accuracy_of(reference({}, false, options_->quick)),
                           accuracy_of(reference({}, true, options_->quick)), number_of_windows());
@@ -108,22 +103,36 @@ class LevelStudy {
     study.compared_players = windows.compared_players();
     for (const Setting& setting : grid_.settings) {
       if (stopped()) return study;
-      Measured measured;
-      if (const Measured* known = results_->find(setting)) {
-        measured = *known;
-        last_ = {};  // its film is that of the saved run
-      } else {
-        measured = measure_error(setting, fine, windows);
-        results_->add(measured);
-      }
+      study.settings.push_back(measured_error(setting, fine, windows));
       if (options_->films) study.films.push_back(film_of(setting, study.stage));
-      study.settings.push_back(measured);
       progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);
     if (study.complete && options_->by_cord_error_m) find_by_cord(study, windows);
     study.complete = study.complete && !stopped();
     return study;
+  }
+
+  /// The run of the finest mesh; empty if no setting has another mesh than the level's own.
+  Trace finest_run() {
+    const Setting finest = reference({finer_mesh}, false, options_->quick);
+    const bool has_other_meshes = std::any_of(grid_.settings.begin(), grid_.settings.end(),
+                                              [](const Setting& setting) { return mesh_of(setting) != Mesh{}; });
+    const bool has_finer = options_->grid.empty() && has_other_meshes && file_->left_out_reason(finest).empty();
+    Trace run = has_finer ? whole_run(finest, end_of_comparison()) : Trace{};
+    progress_.add(work_of(finest));
+    return run;
+  }
+
+  /// Returns the stored result, or else measures and stores it.
+  Measured measured_error(const Setting& setting, const Trace& fine, const Windows& windows) {
+    if (const Measured* known = results_->find(setting)) {
+      last_ = {};  // its film is that of the saved run
+      return *known;
+    }
+    const Measured measured = measure_error(setting, fine, windows);
+    results_->add(measured);
+    return measured;
   }
 
   /// The ticks after which no run is compared with that of the finest mesh.
@@ -351,39 +360,6 @@ class LevelStudy {
 
 }  // namespace
 
-WorkFigures figures_of(std::span<const std::int64_t> tick_work) {
-  if (tick_work.empty()) return {};
-  const std::vector<double> ticks(tick_work.begin(), tick_work.end());
-  double sum = 0.0;
-  for (const double work : ticks) sum += work;
-  return {sum / static_cast<double>(ticks.size()), tradeoff::quantile(ticks, 0.99), tradeoff::quantile(ticks, 1.0)};
-}
-
-WorkFigures largest_work(const Measured& measured) {
-  const WorkFigures& own = measured.tick_work;
-  const WorkFigures& others = measured.others.work;  // NaN without other players
-  const auto larger = [](double a, double b) { return b > a ? b : a; };
-  return {larger(own.mean, others.mean), larger(own.p99, others.p99), larger(own.most, others.most)};
-}
-
-std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
-  return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
-}
-
-Point Measured::point() const {
-  Point point{setting.solver, name_of(setting), cost_us, p99_us};
-  point.error_m = std::max(error.greatest_length(), resolution_m);
-  point.failure = failure;
-  point.not_compared = mesh_of(setting) != Mesh{};
-  return point;
-}
-
-std::vector<Point> Study::points() const {
-  std::vector<Point> all;
-  for (const Measured& measured : settings) all.push_back(measured.point());
-  return all;
-}
-
 Study measure(const LevelFile& file, const std::string& replay_path, const StudyOptions& options) {
   const engine::Replay replay = engine::load_replay(replay_path);
   const game::Level level = file.level();
@@ -401,19 +377,6 @@ Study measure(const LevelFile& file, const std::vector<engine::TickInput>& input
   Study study = LevelStudy(file, inputs, options, nowhere).run();
   study.level = file.level().name;
   return study;
-}
-
-std::vector<Point> applicable(const Study& study) {
-  std::vector<Point> points = study.points();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Measured& m = study.settings[k];
-    points[k].not_compared = points[k].not_compared || m.setting.solver != "direct";
-    points[k].error_m = std::max({points[k].error_m, m.windows.greatest(), m.windows_resolution_m});
-    if (m.others.error_m > points[k].error_m) points[k].error_m = m.others.error_m;
-    if (points[k].failure.empty() && !m.others.failure.empty())
-      points[k].failure = "with another player: " + m.others.failure;
-  }
-  return points;
 }
 
 }  // namespace study

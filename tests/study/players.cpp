@@ -67,7 +67,7 @@ Meetings meetings_of(const game::Level& level, const Inputs& inputs) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
     meetings.any_cord = meetings.any_cord || coupling.size() > 0;
     if (const auto place = coupling.body(simulation.player().body()).held_place()) held.insert(place->cord);
-    for (const ribbon::box2d::TouchEvent& event : coupling.touch_events()) {
+    for (const ribbon::box2d::TouchEvent& event : coupling.last_step().touch_events()) {
       if (event.fixture != nullptr && event.fixture->GetBody() == &simulation.player().body())
         touched.insert(event.cord);
     }

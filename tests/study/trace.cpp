@@ -75,8 +75,8 @@ class Recorder {
     bool unconverged = false;
     for (const ribbon::box2d::CordId c : coupling.cords()) unconverged = add_cord(coupling, c) || unconverged;
     trace_.unconverged_ticks += unconverged ? 1 : 0;
-    trace_.work += coupling.tick_report();  // an island counts once, however many cords it has
-    trace_.tick_work.push_back(coupling.tick_report().work);
+    trace_.work += coupling.last_step().report();  // an island counts once, however many cords it has
+    trace_.tick_work.push_back(coupling.last_step().report().work);
     add_bodies(simulation);
   }
 

@@ -8,6 +8,7 @@
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
 #include "ribbon/system/held_body.h"
+#include "tests/support/move_body.h"
 
 namespace test_support {
 
@@ -60,17 +61,7 @@ void ContactWorld::step() {
   total += report;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     RigidBody& body = bodies[k];
-    double turned = dt * body.angular_velocity;
-    if (body.solved) {
-      turned = body.turned;
-      body.position += body.moved;
-      body.velocity += dt * body.acceleration + body.inverse_mass * body.impulse;
-      body.angular_velocity += body.inverse_inertia * body.angular_impulse;
-    } else {
-      if (body.inverse_mass > 0.0) body.velocity += dt * body.acceleration;
-      body.position += dt * body.velocity;
-    }
-    const Vec2 turn = ribbon::rotation(turned);
+    const Vec2 turn = ribbon::rotation(move_body(body, dt));
     const auto is_on = [k](int index) { return static_cast<std::size_t>(index) == k; };
     for (ribbon::RigidCircle& circle : circles) {
       if (is_on(circle.body)) circle.offset = times(turn, circle.offset);

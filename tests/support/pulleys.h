@@ -55,6 +55,11 @@ struct Machine {
 /// A tackle with two wheels at a fixed block, at y = 6 m, and two at a block that moves, at y = 2 m: the load hangs on
 /// four parts of the cord. Its first point is the hand's, and its last one is pinned.
 ribbon::ReevedCord reeve_tackle(int points);
+/// Returns a light cord of this tackle, pinned at its end, and without its pulleys; and with them.
+ribbon::CordDef tackle_def(int points, const ribbon::Accuracy& accuracy = {});
+ribbon::Cord tackle_cord(const ribbon::CordDef& def);
+/// Returns its blocks, with a load [kg] at the one that moves.
+std::vector<ribbon::RigidBody> tackle_blocks(double load);
 /// Returns the places of its axles, m from the middle of their blocks, in their order. The blocks are 0 and 1.
 std::vector<ribbon::Axle> axles_of_tackle();
 inline constexpr ribbon::Vec2 moving_block{0.4, 2.0};  ///< m, middle of the block that moves

@@ -161,7 +161,7 @@ Variant variant(const ContactVariant& how) {
           },
           [world] { (*world)->step_world(); },
           how.group,
-          is_cord ? [world] { return (*world)->coupling.tick_report().work; } : std::function<std::int64_t()>()};
+          is_cord ? [world] { return (*world)->coupling.last_step().report().work; } : std::function<std::int64_t()>()};
 }
 
 std::vector<Column> contact_columns(const std::vector<std::string>& more) {

@@ -2,206 +2,74 @@
 
 #include <box2d/box2d.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <ctime>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "engine/tick/workers.h"
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
-#include "tests/support/dice.h"
 #include "tests/support/thesis_scenes.h"
-#include "tests/tradeoff/measure.h"
 
 namespace tradeoff {
+
+using ribbon::Vec2;
+using test_support::earth_gravity;
+using test_support::frame_dt;
 
 /// A world with cords of 21 points that hang down at rest, 3 m apart in as many rows as columns.
 class LargeWorld {
  public:
-  static constexpr int points = 21;
+  static constexpr int points = 21;     // of a cord
   static constexpr double link = 0.05;  // m
 
-  LargeWorld(int cords, bool may_sleep) : columns_(static_cast<int>(std::ceil(std::sqrt(cords)))) {
-    for (int k = 0; k < cords; ++k) hang_cord(k, may_sleep);
-    settled_ = may_sleep ? settling_ticks : 2;
-  }
+  LargeWorld(int cords, bool may_sleep);
 
   void use(engine::Workers& workers) { coupling_.use(workers.parallel_for()); }
   void trust_forget() { coupling_.trust_forget(true); }
-  void gather() { coupling_.gather(world_, test_support::frame_dt); }
+  void gather() { coupling_.gather(world_, frame_dt); }
   void step() {
     coupling_.step();
     coupling_.apply();
   }
-  void step_world() { world_.Step(static_cast<float>(test_support::frame_dt), 8, 3); }
+  void step_world() { world_.Step(static_cast<float>(frame_dt), 8, 3); }
   void rest() {
     step();
     step_world();
   }
-  void settle() {
-    for (; settled_ > 0; --settled_) {
-      gather();
-      rest();
-    }
-  }
+  void settle();
   int cords() const { return coupling_.size(); }
   /// Returns the median processor times of a gather, of a step of the cords and of one of the world, µs.
-  std::array<double, 3> median_times() {
-    std::array<std::vector<double>, 3> times;
-    for (int k = 0; k < measured_ticks; ++k) {
-      times[0].push_back(microseconds([this] { gather(); }));
-      times[1].push_back(microseconds([this] { step(); }));
-      times[2].push_back(microseconds([this] { step_world(); }));
-      turn_the_fast();
-    }
-    return {quantile(times[0], 0.5), quantile(times[1], 0.5), quantile(times[2], 0.5)};
-  }
+  std::array<double, 3> median_times();
 
   /// Adds up to 10,000 static boxes, one metre apart.
-  void add_boxes_far_away() {
-    for (int k = 0; k < many_boxes; ++k) add_box(far_place(k));
-  }
+  void add_boxes_far_away();
   /// The same on the area of the cords, where no cord is.
-  void add_boxes_among() {
-    test_support::Dice dice(1);
-    const double side = spacing * columns_;
-    for (int k = 0; k < many_boxes;) {
-      const ribbon::Vec2 place{dice(-0.5 * spacing, side - 0.5 * spacing), dice(-side + 0.5 * spacing, 0.5 * spacing)};
-      if (is_clear(place)) {
-        add_box(place);
-        ++k;
-      }
-    }
-  }
+  void add_boxes_among();
   /// Adds a chain of 20,000 edges of half a metre below the first cord.
-  void add_chain() {
-    std::vector<b2Vec2> vertices;
-    for (int k = 0; k <= many_edges; ++k) {
-      const double x = 0.5 * (k - 0.5 * many_edges);
-      vertices.push_back(ribbon::box2d::to_float(ribbon::Vec2{x, -(points * link) - 0.05 - 0.02 * (k % 2)}));
-    }
-    b2ChainShape chain;
-    chain.CreateChain(vertices.data(), many_edges + 1, vertices.front() - b2Vec2(1.0F, 0.0F),
-                      vertices.back() + b2Vec2(1.0F, 0.0F));
-    b2BodyDef def;
-    world_.CreateBody(&def)->CreateFixture(&chain, 0.0F);
-  }
-  void add_sleepers() {
-    for (int k = 0; k < many_sleepers; ++k) {
-      b2BodyDef def;
-      def.type = b2_dynamicBody;
-      def.awake = false;
-      def.position = ribbon::box2d::to_float(far_place(k));
-      add_circle(def);
-    }
-  }
+  void add_chain();
+  void add_sleepers();
   /// Adds bodies that fly in a circle of 6 m around the first cord at 20 m/s.
-  void add_fast() {
-    for (int k = 0; k < many_fast; ++k) {
-      const double angle = 2.0 * std::numbers::pi * k / many_fast;
-      const ribbon::Vec2 place = 6.0 * ribbon::Vec2{std::cos(angle), std::sin(angle)};
-      b2BodyDef def;
-      def.type = b2_dynamicBody;
-      def.gravityScale = 0.0F;
-      def.allowSleep = false;
-      def.position = ribbon::box2d::to_float(place);
-      fast_.push_back(add_circle(def));
-    }
-  }
-  void turn_the_fast() {
-    for (b2Body* body : fast_) {
-      const ribbon::Vec2 place = ribbon::box2d::to_double(body->GetPosition());
-      body->SetLinearVelocity(ribbon::box2d::to_float((20.0 / length(place)) * perp(place)));
-    }
-  }
-  void hold_by_a_body() {
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    def.position = ribbon::box2d::to_float(ribbon::Vec2{0.0, -link * (points - 1) - box_half});
-    coupling_.hold(0, points - 1, *add_circle(def), {0.0F, static_cast<float>(box_half)});
-  }
+  void add_fast();
+  void turn_the_fast();
+  void hold_by_a_body();
 
   /// Returns the processor time that some work takes, µs. The one of this thread, which excludes other processes of a
   /// shared machine. To read it takes some 0.2 µs.
-  static double microseconds(const std::function<void()>& work) {
-    const double start = processor_time();
-    work();
-    return processor_time() - start;
-  }
+  static double microseconds(const std::function<void()>& work);
 
  private:
-  static constexpr double spacing = 3.0;           // m, from cord to cord
-  static constexpr double far_away = 2000.0;       // m
-  static constexpr double box_half = 0.1;          // m
-  static constexpr double least_clearance = 0.02;  // m, from a box to a cord
-  static constexpr int many_boxes = 10'000;
-  static constexpr int many_edges = 20'000;
-  static constexpr int many_sleepers = 10'000;
-  static constexpr int many_fast = 100;
-  static constexpr int settling_ticks = 60;
-  static constexpr int measured_ticks = 60;
+  Vec2 pin(int k) const;
+  void hang_cord(int k, bool may_sleep);
+  bool is_clear(Vec2 place) const;
+  void add_box(Vec2 place);
+  b2Body* add_circle(const b2BodyDef& def);
 
-  static double processor_time() {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-  }
-
-  /// One metre apart, a hundred per row.
-  static ribbon::Vec2 far_place(int k) {
-    const int row = k / 100;
-    return {far_away + k % 100, static_cast<double>(row)};
-  }
-  ribbon::Vec2 pin(int k) const {
-    const int row = k / columns_;
-    return {spacing * (k % columns_), -spacing * row};
-  }
-  void hang_cord(int k, bool may_sleep) {
-    ribbon::CordDef def;
-    def.points = points;
-    def.length = link * (points - 1);
-    def.radius = 0.01;
-    def.allow_sleep = may_sleep;
-    for (int p = 0; p < points; ++p) def.positions.push_back(pin(k) - ribbon::Vec2{0.0, link * p});
-    def.pins = {0};
-    coupling_.add(ribbon::Cord(def));
-  }
-  bool is_clear(ribbon::Vec2 place) const {
-    for (int k = 0; k < coupling_.size(); ++k) {
-      const ribbon::Vec2 off = place - pin(k);
-      const double below = std::clamp(off.y, -link * (points - 1), 0.0);
-      if (std::max(std::abs(off.x), std::abs(off.y - below)) < box_half + least_clearance) return false;
-    }
-    return true;
-  }
-  void add_box(ribbon::Vec2 place) {
-    b2PolygonShape shape;
-    shape.SetAsBox(static_cast<float>(box_half), static_cast<float>(box_half));
-    b2BodyDef def;
-    def.position = ribbon::box2d::to_float(place);
-    world_.CreateBody(&def)->CreateFixture(&shape, 0.0F);
-  }
-  b2Body* add_circle(const b2BodyDef& def) {
-    b2CircleShape circle;
-    circle.m_radius = static_cast<float>(box_half);
-    b2Body* body = world_.CreateBody(&def);
-    b2FixtureDef fixture;
-    fixture.shape = &circle;
-    fixture.density = 10.0F;
-    fixture.filter.groupIndex = -1;
-    body->CreateFixture(&fixture);
-    return body;
-  }
-
-  b2World world_{ribbon::box2d::to_float(test_support::earth_gravity)};
+  b2World world_{ribbon::box2d::to_float(earth_gravity)};
   ribbon::box2d::Coupling coupling_;
   std::vector<b2Body*> fast_;
   int columns_;
-  int settled_ = 0;
+  int unsettled_ticks_ = 0;
 };
 
 }  // namespace tradeoff

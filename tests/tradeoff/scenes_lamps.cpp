@@ -89,7 +89,7 @@ std::vector<Variant> lamps() {
          },
          {},
          {},
-         [hung] { return hung->coupling.tick_report().work; }});
+         [hung] { return hung->coupling.last_step().report().work; }});
   }
   return list;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ribbon/pulley.h"
 #include "tests/support/constants.h"
 #include "tests/support/pulleys.h"
 #include "tests/tradeoff/measure.h"
@@ -63,27 +64,14 @@ Run capstan(const ribbon::Accuracy& accuracy) {
   ribbon::RigidBody wall;
   wall.position = of.wheel.center;
   Run run{of.cord(), {wall}, {{0, {}}}};
-  run.cord.set_motor(0, 0.0, 1e12);
+  set_motor(run.cord, 0, 0.0, 1e12);
   return run;
 }
 
 Run tackle(const ribbon::Accuracy& accuracy) {
-  constexpr int points = 181;
-  const ribbon::ReevedCord reeved = test_support::reeve_tackle(points);
-  ribbon::CordDef def;
-  def.points = points;
-  def.length = reeved.length;
-  def.positions = reeved.positions;
-  def.mass_per_length = 1e-5;
-  def.pins = {points - 1};
-  def.accuracy = accuracy;
-  Run run{ribbon::Cord(def), std::vector<ribbon::RigidBody>(2), test_support::axles_of_tackle()};
+  Run run{test_support::tackle_cord(test_support::tackle_def(181, accuracy)), test_support::tackle_blocks(40.0),
+          test_support::axles_of_tackle()};
   run.cord.attach_mass(0, 11.0);
-  for (const ribbon::PulleyDef& pulley : reeved.pulleys) run.cord.add_pulley(pulley);
-  run.bodies[0].position = test_support::fixed_block;
-  run.bodies[1].position = test_support::moving_block;
-  run.bodies[1].inverse_mass = 1.0 / 40.0;
-  run.bodies[1].acceleration = {0.0, -g};
   return run;
 }
 

@@ -24,7 +24,7 @@ std::vector<double> figures_of(const ribbon::Accuracy& accuracy, bool catches) {
   for (int k = 0; k < caught_ticks; ++k) {
     net.tick();
     strain = std::max(strain, net.strain());
-    unconverged += net.coupling.tick_report().unconverged;
+    unconverged += net.coupling.last_step().report().unconverged;
   }
   return {100.0 * strain, static_cast<double>(unconverged)};
 }
@@ -44,7 +44,7 @@ Variant net(const std::string& setting, const ribbon::Accuracy& accuracy, bool c
           [=] { return figures_of(accuracy, catches); },
           [scene] { (*scene)->tick_world(); },
           catches ? "a ball of 100 kg" : "hanging",
-          [scene] { return (*scene)->coupling.tick_report().work; }};
+          [scene] { return (*scene)->coupling.last_step().report().work; }};
 }
 
 std::vector<Variant> nets() {

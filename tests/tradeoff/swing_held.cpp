@@ -59,7 +59,7 @@ class HeldSwing final : public Swing {
   }
 
   std::optional<int> unconverged() const override { return unconverged_; }
-  std::optional<std::int64_t> work() const override { return scene_->coupling.tick_report().work; }
+  std::optional<std::int64_t> work() const override { return scene_->coupling.last_step().report().work; }
 
  private:
   struct Scene {

@@ -40,9 +40,7 @@ struct HeavyRun {
   double scale = 0.0;     ///< J
 };
 
-/// 70 kg at the end of 10 m of cord: released at 70° from the vertical, or straight below with a slack cord.
-HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
-  World scene;
+CordDef cord_for(Obstacle obstacle, double stiffness) {
   CordDef def;
   def.points = 51;
   def.length = 10.0;
@@ -58,11 +56,11 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
     if (i % 2 == 1) x += (0.2 * std::sqrt(1.0 - share * share)) * perp(-along);
     def.positions.push_back(x);
   }
-  scene.coupling.add(Cord(def));
-  b2Body* body = scene.add_ball(def.positions[50], 0.4, 70.0, 0.3);
-  body->SetBullet(true);
-  body->SetFixedRotation(obstacle == Obstacle::stood_on);  // it does not roll
-  scene.coupling.hold(0, 50, *body, {0.0F, 0.0F});
+  return def;
+}
+
+/// Adds the edges of an obstacle. Returns the height of its floor [m], or −infinity.
+double add_obstacle(World& scene, Obstacle obstacle) {
   b2Body* world = scene.add_body({}, b2_staticBody);
   const auto add_wall = [world](Vec2 a, Vec2 b) { add_shape(world, edge(a, b), 0.0, 0.3); };
   double floor = -infinity;
@@ -79,6 +77,19 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
       break;
   }
   if (floor > -infinity) add_wall({-20.0, floor}, {20.0, floor});
+  return floor;
+}
+
+/// 70 kg at the end of 10 m of cord: released at 70° from the vertical, or straight below with a slack cord.
+HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
+  World scene;
+  const CordDef def = cord_for(obstacle, stiffness);
+  scene.coupling.add(Cord(def));
+  b2Body* body = scene.add_ball(def.positions[50], 0.4, 70.0, 0.3);
+  body->SetBullet(true);
+  body->SetFixedRotation(obstacle == Obstacle::stood_on);  // it does not roll
+  scene.coupling.hold(0, 50, *body, {0.0F, 0.0F});
+  const double floor = add_obstacle(scene, obstacle);
   const double mass = static_cast<double>(body->GetMass());
   const auto energy = [&] {
     const Vec2 v = scene.coupling.body(*body).velocity();

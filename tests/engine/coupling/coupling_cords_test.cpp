@@ -147,7 +147,7 @@ TEST(CouplingCords, ReportsTheErrorOfTheCordThatHasIt) {
     EXPECT_EQ(world.coupling.cord(torn).report().island, world.coupling.cord(hanging).report().island);
   }
   EXPECT_GT(last.position_error, world.coupling.cord(hanging).report().position_error);
-  EXPECT_GE(world.coupling.tick_report().position_error, last.position_error);
+  EXPECT_GE(world.coupling.last_step().report().position_error, last.position_error);
 }
 
 }  // namespace

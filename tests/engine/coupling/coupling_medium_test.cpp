@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <vector>
 
 #include "engine/replay/solver_step.h"
 #include "engine/tick/workers.h"
@@ -12,6 +9,7 @@
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/weather.h"
+#include "tests/engine/coupling/blown_world.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/allocations.h"
 #include "tests/support/dice.h"
@@ -28,33 +26,11 @@ using ribbon::box2d::CordId;
 using ribbon::box2d::Coupling;
 using test_support::Dice;
 
-/// Gusts over water at y = −6.
-WeatherDef gusts_over_water() {
-  WeatherDef def;
-  def.wind = {8.0, 0.5};
-  def.gusts = 0.6;
-  def.water_level = -6.0;
-  def.current = {-0.5, 0.0};
-  return def;
-}
-
-CordDef feeling(CordDef def) {
-  def.drag_across = 1.2;
-  def.drag_along = 0.01;
-  def.displaced_area = 0.8 * std::numbers::pi * def.radius * def.radius;
-  return def;
-}
-
 std::uint64_t hash_of(const Coupling::State& state) {
   ribbon::box2d::Hasher hasher;
   add_to(hasher, state);
   return hasher.value();
 }
-
-struct Blown : GripWorld {
-  explicit Blown(const WeatherDef& def = gusts_over_water()) : weather(def) { coupling.set_medium(&weather); }
-  Weather weather;
-};
 
 TEST(CouplingMedium, BlowsOnCordsThatFeelIt) {
   Blown scene;
@@ -199,9 +175,7 @@ TEST(CouplingMedium, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 20) scene.coupling.cut({-1.0, -3.0}, {30.0, -3.2});
       scene.tick();
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_EQ(run(3, false), alone);
@@ -262,88 +236,9 @@ TEST(CouplingMedium, BlowsACordAgainstAWall) {
       for (const Vec2 x : scene.coupling.cord(cord).positions()) ASSERT_LT(x.x, 2.0);
       touched = touched || !scene.coupling.cord(cord).direct().touches().empty();
     }
-    ASSERT_EQ(scene.coupling.tick_report().unconverged, 0) << k;
+    ASSERT_EQ(scene.coupling.last_step().report().unconverged, 0) << k;
   }
   EXPECT_TRUE(touched);
-}
-
-/// A step in a Weather is recorded whole: its repetition has the same bits.
-class Recorder : public ribbon::box2d::StepWatcher {
- public:
-  void before(const ribbon::box2d::SolverInput& input) noexcept override { capture(input, step); }
-  void after(const ribbon::box2d::SolverInput& input, std::span<const ribbon::IslandReport> /*islands*/,
-             const ribbon::IslandReport& total) noexcept override {
-    step.outcome.work = total.work;
-    step.outcome.unconverged = total.unconverged;
-    step.outcome.positions = hash_of_positions(input.cords);
-  }
-  SolverStep step;
-};
-
-/// Takes a recorded step again.
-std::uint64_t hash_of_repetition(const SolverStep& step) {
-  std::vector<Cord> cords;
-  std::vector<Weather> media;
-  for (const WeatherDef& def : step.media) media.emplace_back(def);
-  for (const SolverStep::Cord& cord : step.cords) {
-    cords.emplace_back(cord.def);
-    cords.back().restore(cord.state);
-  }
-  std::vector<ribbon::IslandCord> members;
-  for (std::size_t k = 0; k < cords.size(); ++k) {
-    const int medium = step.cords[k].medium;
-    members.push_back({&cords[k], {}, step.cords[k].id});
-    if (medium >= 0) members[k].surroundings.medium = &media[static_cast<std::size_t>(medium)];
-    members[k].surroundings.time = step.cords[k].time;
-  }
-  std::vector<ribbon::CordReport> reports(cords.size());
-  ribbon::DirectSolver solver;
-  solver.step(members, {}, step.dt, step.gravity, reports);
-  return hash_of_positions(members);
-}
-
-TEST(CouplingMedium, IsRecordedInASolverStep) {
-  Blown scene;
-  scene.coupling.add(Cord(feeling(hanging())));
-  scene.coupling.add(Cord(hanging(5.0)));
-  Recorder recorder;
-  scene.coupling.watch(&recorder);
-  scene.tick(40);
-  ASSERT_EQ(recorder.step.media.size(), 1U);
-  EXPECT_EQ(recorder.step.media[0], gusts_over_water());
-  EXPECT_NEAR(recorder.step.cords[0].time, 39.0 * dt, 1e-12);
-  const SolverStep read = read_solver_step(to_text(recorder.step), "a step");
-  EXPECT_EQ(to_text(read), to_text(recorder.step));
-  EXPECT_EQ(hash_of_repetition(read), recorder.step.outcome.positions);
-  SolverStep other = read;
-  other.media[0].wind.x += 0.1;
-  EXPECT_NE(hash_of_repetition(other), recorder.step.outcome.positions);
-  other = read;
-  other.cords[0].medium = 1;
-  EXPECT_THROW(check(other), SolverStepError);
-  other = read;
-  other.media[0].gusts = 2.0;
-  EXPECT_THROW(check(other), SolverStepError);
-}
-
-/// Another medium is recorded as a uniform one.
-class Breeze : public ribbon::Medium {
- public:
-  ribbon::MediumSample at(Vec2 place, double /*half_height*/, double /*time*/) const override {
-    return {{place.y, 0.0}, 1.2};
-  }
-};
-
-TEST(CouplingMedium, OfAUsersClassIsRecordedRoughly) {
-  GripWorld scene;
-  const Breeze breeze;
-  scene.coupling.set_medium(&breeze);
-  scene.coupling.add(Cord(feeling(hanging())));
-  Recorder recorder;
-  scene.coupling.watch(&recorder);
-  scene.tick();
-  ASSERT_EQ(recorder.step.media.size(), 1U);
-  EXPECT_NEAR(recorder.step.media[0].wind.x, -5.0, 0.2) << "in the middle of the cord";
 }
 
 /// Random cords in random weather, with grips, ties, cuts, contacts and sleep: all ticks are bounded and finite, and
@@ -414,7 +309,7 @@ TEST(CouplingMedium, AnySceneIsSolvedAndCanGoBack) {
     Mess mess(seed);
     for (int k = 0; k < 150; ++k) {
       mess.step();
-      unconverged += mess.coupling.tick_report().unconverged;
+      unconverged += mess.coupling.last_step().report().unconverged;
       for (const CordId cord : mess.coupling.cords()) {
         for (const Vec2 x : mess.coupling.cord(cord).positions()) {
           ASSERT_TRUE(is_finite(x)) << seed << ' ' << k;

@@ -34,13 +34,13 @@ TEST(RemovingACord, ReleasesItsHoldersAndEndsItsContactsInTheNextStep) {
   EXPECT_FALSE(there.coupling.body(holder).held_place());
   EXPECT_NEAR(length(to_double(holder.GetLinearVelocity()) - velocity), 0.0, 1e-5) << "it keeps its velocity";
   there.tick(1);
-  ASSERT_EQ(there.coupling.touch_events().size(), 1U);
-  const TouchEvent& end = there.coupling.touch_events()[0];
+  ASSERT_EQ(there.coupling.last_step().touch_events().size(), 1U);
+  const TouchEvent& end = there.coupling.last_step().touch_events()[0];
   EXPECT_EQ(end.cord, id);
   EXPECT_FALSE(end.begins);
   EXPECT_EQ(end.fixture, resting.GetFixtureList());
   there.tick(1);
-  EXPECT_TRUE(there.coupling.touch_events().empty());
+  EXPECT_TRUE(there.coupling.last_step().touch_events().empty());
   there.tick(60);
   EXPECT_LT(resting.GetPosition().y, -2.0F) << "it falls through";
 }
@@ -76,11 +76,11 @@ TEST(RemovingACord, IsPartOfTheStateThatIsSaved) {
   ASSERT_EQ(after.ending.size(), 1U);
   EXPECT_EQ(after.next_cord, 2);
   there.tick(1);
-  EXPECT_EQ(there.coupling.touch_events().size(), 1U);
+  EXPECT_EQ(there.coupling.last_step().touch_events().size(), 1U);
   there.coupling.restore(after, there.world);
   EXPECT_EQ(there.coupling.save(there.world), after);
   there.tick(1);
-  EXPECT_EQ(there.coupling.touch_events().size(), 1U) << "again";
+  EXPECT_EQ(there.coupling.last_step().touch_events().size(), 1U) << "again";
 }
 
 TEST(RemovingACord, InAnyOrderGivesAStateThatCanBeRestored) {
@@ -97,8 +97,8 @@ TEST(RemovingACord, InAnyOrderGivesAStateThatCanBeRestored) {
   ASSERT_EQ(state.ending.size(), 3U);
   there.coupling.restore(state, there.world);
   there.tick(1);
-  ASSERT_EQ(there.coupling.touch_events().size(), 3U);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(there.coupling.touch_events()[k].cord, cords[k]);
+  ASSERT_EQ(there.coupling.last_step().touch_events().size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(there.coupling.last_step().touch_events()[k].cord, cords[k]);
 }
 
 /// A ball sleeps on one of two ropes and is near the other. It must not continue to sleep in the air.

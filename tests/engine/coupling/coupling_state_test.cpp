@@ -257,17 +257,17 @@ TEST(CouplingState, EventsAndReportsAreRestoredToo) {
     scene.tick();
     touched = scene.coupling.save(scene.world);
   }
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-  const b2Fixture* fixture = scene.coupling.touch_events()[0].fixture;
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  const b2Fixture* fixture = scene.coupling.last_step().touch_events()[0].fixture;
   EXPECT_EQ(fixture, scene.ball->GetFixtureList());
   const ribbon::IslandReport total = scene.coupling.cord(0).island_total();
   scene.coupling.restore(start, scene.world);
-  EXPECT_TRUE(scene.coupling.touch_events().empty());
+  EXPECT_TRUE(scene.coupling.last_step().touch_events().empty());
   EXPECT_EQ(scene.coupling.cord(0).island_total().stages, 0);
   EXPECT_EQ(scene.coupling.hold(*scene.ball, {.cord = 0, .arc = 0.5}), 2);
   scene.coupling.restore(touched, scene.world);
-  ASSERT_EQ(scene.coupling.touch_events().size(), 1U);
-  EXPECT_EQ(scene.coupling.touch_events()[0].fixture, fixture);
+  ASSERT_EQ(scene.coupling.last_step().touch_events().size(), 1U);
+  EXPECT_EQ(scene.coupling.last_step().touch_events()[0].fixture, fixture);
   EXPECT_EQ(scene.coupling.cord(0).island_total(), total);
   EXPECT_FALSE(scene.coupling.grip(2).is_valid());
 }

@@ -82,8 +82,8 @@ TEST(CuttingARibbonAlong, MovesWhatItHoldsToItsSide) {
   EXPECT_EQ(scene.coupling.grip(scene.right_grip).state().place, before);
   EXPECT_EQ(scene.coupling.tie(scene.tie).state().cord, 3);
   EXPECT_EQ(scene.coupling.tie(scene.tie).state().point, 10 * 3 + 2);
-  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
-  EXPECT_EQ(scene.coupling.cut_events()[0], cut);
+  ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
+  EXPECT_EQ(scene.coupling.last_step().cut_events()[0], cut);
 }
 
 TEST(CuttingARibbonAlong, LeavesBothSidesHanging) {
@@ -259,9 +259,9 @@ TEST(ABreakingRibbon, BreaksAcrossAtTheTop) {
     const_cast<b2Body*>(load)->GetFixtureList()->SetDensity(load->GetFixtureList()->GetDensity() * 5.0F);
     const_cast<b2Body*>(load)->ResetMassData();
     int ticks = 0;
-    while (scene.coupling.cut_events().empty() && ++ticks < 100) scene.tick();
-    ASSERT_EQ(scene.coupling.cut_events().size(), 1U) << rows;
-    const CutEvent event = scene.coupling.cut_events()[0];
+    while (scene.coupling.last_step().cut_events().empty() && ++ticks < 100) scene.tick();
+    ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U) << rows;
+    const CutEvent event = scene.coupling.last_step().cut_events()[0];
     EXPECT_TRUE(event.broke);
     EXPECT_GT(event.tension, 45.0);
     EXPECT_LT(event.arc, 0.2);
@@ -278,9 +278,9 @@ TEST(ABreakingRibbon, BreaksWhereItIsWeak) {
   scene.tick(60);
   scene.coupling.cord(strip).direct().set_breaking_force(14, 1.0);  // 2.7 N hang below it
   scene.tick();
-  ASSERT_EQ(scene.coupling.cut_events().size(), 1U);
-  EXPECT_NEAR(scene.coupling.cut_events()[0].arc, 1.45, 1e-9);
-  EXPECT_NEAR(scene.coupling.cut_events()[0].tension, 0.5 * g * 0.55, 0.3);
+  ASSERT_EQ(scene.coupling.last_step().cut_events().size(), 1U);
+  EXPECT_NEAR(scene.coupling.last_step().cut_events()[0].arc, 1.45, 1e-9);
+  EXPECT_NEAR(scene.coupling.last_step().cut_events()[0].tension, 0.5 * g * 0.55, 0.3);
 }
 
 /// Ribbons are cut in all ways and break at random, while bodies hold them and they lie on the ground.
@@ -371,9 +371,7 @@ TEST(CuttingRibbons, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 15) scene.world.SetGravity({0.0F, -40.0F});
       scene.tick();
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_GT(alone.next_cord, 3 + 4) << "two were cut, and some broke";

@@ -55,6 +55,13 @@ struct GripWorld {
   ribbon::box2d::Coupling coupling;
 };
 
+/// Returns the state without the estimates of errors, which not every run has.
+inline ribbon::box2d::CouplingState state_without_errors(const GripWorld& scene) {
+  ribbon::box2d::CouplingState state = scene.coupling.save(scene.world);
+  for (ribbon::box2d::CouplingState::Cord& cord : state.cords) cord.error = 0.0;
+  return state;
+}
+
 /// Returns the message of the `Error` that a call throws inside the step of a world, when two balls far away meet.
 template <typename Error, typename Call>
 std::string refusal_in_step(GripWorld& scene, const Call& call) {

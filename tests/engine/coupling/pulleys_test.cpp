@@ -87,7 +87,7 @@ TEST(Pulleys, CarryBodiesAsAtwoodsMachineDoes) {
     EXPECT_NEAR(-scene.coupling.body(*scene.right).velocity().y / speed, 1.0, 1e-3);
     EXPECT_NEAR(scene.state().turning / (-speed / 0.25), 1.0, 1e-3);
     EXPECT_NEAR(scene.state().tension_before / (10.0 * (g + scene.acceleration())), 1.0, 1e-3);
-    EXPECT_EQ(scene.coupling.tick_report().unconverged, 0);
+    EXPECT_EQ(scene.coupling.last_step().report().unconverged, 0);
   }
 }
 
@@ -266,7 +266,7 @@ TEST(Pulleys, LetAWinchLift) {
   cord.reel(0, 20, part - 0.5, 0.25);
   scene.tick(240);
   EXPECT_NEAR(scene.coupling.cord(scene.cord).positions().back().y - before, 0.5, 2e-3);
-  EXPECT_EQ(scene.coupling.tick_report().unconverged, 0);
+  EXPECT_EQ(scene.coupling.last_step().report().unconverged, 0);
 }
 
 TEST(Pulleys, HaveAnErrorEstimate) {
@@ -299,7 +299,7 @@ TEST(Pulleys, RunOnAMovingBodyInTheWind) {
   }
   scene.coupling.set_medium(&weather);
   scene.tick(120);
-  EXPECT_EQ(scene.coupling.tick_report().unconverged, 0);
+  EXPECT_EQ(scene.coupling.last_step().report().unconverged, 0);
   EXPECT_NEAR(scene.coupling.pulley(pulley).state().center.y, 5.4, 1e-3);
   for (const b2Body* const body : {scene.left, scene.right}) {
     EXPECT_NEAR(static_cast<double>(body->GetPosition().y), 1.9, 0.15);

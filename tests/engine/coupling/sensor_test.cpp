@@ -1,16 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <functional>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "ribbon/box2d/contact_listener.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/thesis/thesis_cord.h"
 #include "tests/engine/coupling/grip_world.h"
+#include "tests/engine/coupling/sensor_world.h"
 #include "tests/support/allocations.h"
 
 // Sensors of Box2D: overlaps with cords that begin and end.
@@ -18,80 +17,7 @@
 namespace engine {
 namespace {
 
-using ribbon::box2d::ContactListener;
 using ribbon::box2d::CordId;
-using ribbon::box2d::Coupling;
-using ribbon::box2d::SensorEvent;
-using ribbon::box2d::Surface;
-
-/// An event, without its number.
-using Seen = std::tuple<CordId, bool, const b2Fixture*>;
-
-/// Collects what it is told.
-struct Hears : ContactListener {
-  bool pre_solve(CordId /*cord*/, const b2Fixture& fixture, Surface& /*surface*/) override {
-    EXPECT_FALSE(fixture.IsSensor());
-    return true;
-  }
-  bool should_meet_sensor(CordId cord, const b2Fixture& /*sensor*/) override {
-    ++asked;
-    return cord != refused;
-  }
-  void sensor_event(const SensorEvent& event) override { heard.emplace_back(event.cord, event.begins, event.fixture); }
-  CordId refused = -1;
-  int asked = 0;
-  std::vector<Seen> heard;
-};
-
-/// A world whose events are collected tick by tick.
-struct SensorWorld : GripWorld {
-  b2Fixture* add_sensor(Vec2 position, const b2Shape& shape, b2BodyType type = b2_staticBody, b2Filter filter = {}) {
-    b2BodyDef def;
-    def.type = type;
-    def.gravityScale = 0.0F;
-    def.position = ribbon::box2d::to_float(position);
-    b2FixtureDef fixture;
-    fixture.shape = &shape;
-    fixture.isSensor = true;
-    fixture.filter = filter;
-    fixture.density = density;
-    return world.CreateBody(&def)->CreateFixture(&fixture);
-  }
-  b2Fixture* add_box(Vec2 position, float half, b2BodyType type = b2_staticBody, b2Filter filter = {}) {
-    b2PolygonShape box;
-    box.SetAsBox(half, half);
-    return add_sensor(position, box, type, filter);
-  }
-  CordId add_rope(double x, double y, Vec2 velocity = {}, bool sleeps = false) {
-    CordDef def;
-    def.points = 11;
-    def.length = 1.0;
-    def.radius = 0.02;
-    def.allow_sleep = sleeps;
-    if (sleeps) def.pins = {0, 10};
-    if (sleeps) def.drag = 5.0;
-    def.positions = test_support::equally_spaced(def.points, {x - 0.5, y}, {0.1, 0.0});
-    Cord cord(def);
-    for (int p = 0; p < cord.size(); ++p) {
-      if (!sleeps) cord.set_velocity(p, velocity);
-    }
-    return coupling.add(std::move(cord));
-  }
-  /// Runs ticks and returns their events.
-  std::vector<Seen> run(int ticks) {
-    std::vector<Seen> seen;
-    for (int k = 0; k < ticks; ++k) {
-      tick();
-      for (const SensorEvent& event : coupling.sensor_events()) {
-        seen.emplace_back(event.cord, event.begins, event.fixture);
-        EXPECT_EQ(event.number != 0, event.fixture != nullptr);
-        EXPECT_EQ(coupling.fixture(event.number), event.fixture);
-      }
-    }
-    return seen;
-  }
-  float density = 1.0F;
-};
 
 TEST(Sensors, TellOnceThatARopeFallsIn) {
   std::vector<Vec2> ends;
@@ -316,105 +242,6 @@ TEST(Sensors, TellInADeterminedOrder) {
     EXPECT_EQ(std::get<1>(seen[k]), k % 4 >= 2);
   }
   for (const std::size_t k : {0U, 1U}) EXPECT_EQ(std::get<2>(seen[k]), std::get<2>(begun[k])) << "the order stays";
-}
-
-/// A state restores overlaps, events and what is about to end: nothing is told twice or not at all.
-TEST(Sensors, AreSavedAndRestored) {
-  for (const int ticks : {22, 23, 24, 26, 30, 31, 32}) {
-    for (const bool removes : {false, true}) {
-      SensorWorld scene;
-      scene.add_box({0.0, -1.0}, 0.3F);
-      const CordId rope = scene.add_rope(0.0, 0.0);
-      scene.add_rope(0.1, 0.3);
-      scene.run(ticks);
-      if (removes) scene.coupling.remove(rope);
-      const Coupling::State state = scene.coupling.save(scene.world);
-      const std::vector<SensorEvent> events(scene.coupling.sensor_events().begin(),
-                                            scene.coupling.sensor_events().end());
-      const std::vector<Seen> first = scene.run(15);
-      const auto hash = [&] {
-        ribbon::box2d::Hasher hasher;
-        add_to(hasher, scene.coupling.save(scene.world));
-        return hasher.value();
-      };
-      const auto end = hash();
-      scene.coupling.restore(state, scene.world);
-      EXPECT_EQ(scene.coupling.save(scene.world), state);
-      const auto restored = scene.coupling.sensor_events();
-      ASSERT_EQ(restored.size(), events.size());
-      for (std::size_t k = 0; k < events.size(); ++k) {
-        EXPECT_EQ(std::tie(restored[k].cord, restored[k].begins, restored[k].fixture, restored[k].number),
-                  std::tie(events[k].cord, events[k].begins, events[k].fixture, events[k].number));
-      }
-      EXPECT_EQ(scene.run(15), first) << ticks << " " << removes;
-      EXPECT_EQ(hash(), end) << ticks << " " << removes;
-    }
-  }
-}
-
-/// An overlap is part of the hash, and a state with a wrong one is refused.
-TEST(Sensors, AreHashedAndChecked) {
-  SensorWorld scene;
-  scene.add_box({0.0, 0.0}, 0.3F);
-  const CordId rope = scene.add_rope(0.0, 0.0, {}, true);
-  scene.run(1);
-  const Coupling::State state = scene.coupling.save(scene.world);
-  const auto hash = [](const Coupling::State& of) {
-    ribbon::box2d::Hasher hasher;
-    add_to(hasher, of);
-    return hasher.value();
-  };
-  const std::vector<std::function<void(Coupling::State&)>> changes{
-      [](Coupling::State& s) { s.cords[0].sensing.clear(); },
-      [](Coupling::State& s) { s.sensor_events.clear(); },
-      [](Coupling::State& s) {
-        s.ending_sensors.push_back({0, false, 1});
-      },
-  };
-  for (const auto& change : changes) {
-    Coupling::State other = state;
-    change(other);
-    EXPECT_NE(hash(other), hash(state));
-    EXPECT_FALSE(other == state);
-    scene.coupling.restore(other, scene.world);
-  }
-  const std::vector<std::function<void(Coupling::State&)>> faults{
-      [](Coupling::State& s) { s.cords[0].sensing.push_back(s.cords[0].sensing[0]); },
-      [](Coupling::State& s) { s.cords[0].sensing = {s.next_fixture}; },
-      [](Coupling::State& s) { s.sensor_events[0].cord = 7; },
-      [](Coupling::State& s) { s.sensor_events[0].fixture = s.next_fixture; },
-      [](Coupling::State& s) {
-        s.ending_sensors = {{0, false, 0}};
-      },
-      [](Coupling::State& s) {
-        s.ending_sensors = {{0, false, 1}, {0, false, 1}};
-      },
-  };
-  for (const auto& fault : faults) {
-    Coupling::State other = state;
-    fault(other);
-    EXPECT_THROW(scene.coupling.restore(other, scene.world), ribbon::DefinitionError);
-  }
-  scene.coupling.restore(state, scene.world);
-  EXPECT_EQ(scene.coupling.cord(rope).sensors().size(), 1U);
-}
-
-TEST(Sensors, AllocateNothingInASteadyTick) {
-  SensorWorld scene;
-  scene.add_box({0.0, 0.0}, 0.3F);
-  scene.add_box({0.2, 0.0}, 0.3F);
-  scene.add_rope(0.0, 0.0, {}, true);
-  b2Fixture* const passing = scene.add_box({0.0, 0.0}, 0.3F, b2_kinematicBody);
-  const auto pass = [&](int k) {
-    passing->GetBody()->SetTransform({0.0F, k % 2 == 0 ? 0.0F : 2.0F}, 0.0F);
-    scene.tick();
-    EXPECT_EQ(scene.coupling.sensor_events().size(), 1U);
-  };
-  scene.tick();
-  for (int k = 1; k < 6; ++k) pass(k);
-  const test_support::AllocationCount allocations;
-  for (int k = 6; k < 30; ++k) pass(k);
-  EXPECT_EQ(allocations.so_far(), 0);
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ TEST(TyingCords, CarriesABodyOnWhatIsTied) {
   const TieState state = scene.coupling.tie(scene.first).state();
   EXPECT_EQ(state.gap, 0.0);
   EXPECT_NEAR(state.pull.y, -0.5 * 70.0 * g, 0.01 * 70.0 * g) << "half of the load and of the rung";
-  EXPECT_EQ(scene.coupling.tick_report().unconverged, 0);
-  EXPECT_EQ(scene.coupling.islands(), 1);
+  EXPECT_EQ(scene.coupling.last_step().report().unconverged, 0);
+  EXPECT_EQ(scene.coupling.last_step().islands(), 1);
   for (const CordId cord : scene.coupling.cords()) {
     const Cord& direct = scene.coupling.cord(cord).direct();
     for (int i = 0; i + 1 < direct.size(); ++i) {
@@ -258,9 +258,7 @@ TEST(TyingCords, HasTheSameBitsWithWorkersAndEstimatesAndAllocatesNothing) {
     } else {
       scene.tick(20);
     }
-    Coupling::State state = scene.coupling.save(scene.world);
-    for (Coupling::State::Cord& cord : state.cords) cord.error = 0.0;
-    return state;
+    return state_without_errors(scene);
   };
   const Coupling::State alone = run(1, false);
   EXPECT_EQ(run(3, false), alone);
@@ -280,7 +278,7 @@ TEST(TyingCords, MakesANetThatHangsAndCatchesABall) {
     int unconverged = 0;
     for (int k = 0; k < 120; ++k) {
       net.tick();
-      unconverged += net.coupling.tick_report().unconverged;
+      unconverged += net.coupling.last_step().report().unconverged;
       ASSERT_LE(net.strain(), 1e-2) << "tick " << k;
     }
     // fast() truncates solves of many cords

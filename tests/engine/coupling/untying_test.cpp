@@ -49,8 +49,8 @@ struct TiedRopes : GripWorld {
     ASSERT_TRUE(coupling.tie(tie).untie());
     for (int k = 0; k < free_ticks; ++k) {
       tick();
-      ASSERT_EQ(coupling.tick_report().unconverged, 0) << "tick " << k;
-      ASSERT_LE(coupling.tick_report().iterations, max_systems) << "tick " << k;
+      ASSERT_EQ(coupling.last_step().report().unconverged, 0) << "tick " << k;
+      ASSERT_LE(coupling.last_step().report().iterations, max_systems) << "tick " << k;
     }
   }
   Vec2 loose_point(std::size_t k) const { return coupling.cord(loose).positions()[k]; }
@@ -84,8 +84,8 @@ TEST(BreakingTie, LetsCordsThatMeetFallApart) {
     TiedRopes scene({20, 0, {0.0, -4.0}, {0.1, 0.0}}, accuracy, 0.5);  // N, a quarter of the loose rope's weight
     for (int k = 0; k < free_ticks; ++k) {
       scene.tick();
-      ASSERT_EQ(scene.coupling.tick_report().unconverged, 0) << "tick " << k;
-      ASSERT_LE(scene.coupling.tick_report().iterations, max_systems) << "tick " << k;
+      ASSERT_EQ(scene.coupling.last_step().report().unconverged, 0) << "tick " << k;
+      ASSERT_LE(scene.coupling.last_step().report().iterations, max_systems) << "tick " << k;
     }
     EXPECT_FALSE(scene.coupling.tie(scene.tie).is_valid());
     EXPECT_LT(scene.loose_point(10).y, -25.0);
@@ -131,8 +131,8 @@ TEST(UntyingFromARibbon, LeavesItOnTheSideOfTheRope) {
     ASSERT_TRUE(scene.coupling.tie(tie).untie());
     for (int k = 0; k < free_ticks; ++k) {
       scene.tick();
-      ASSERT_EQ(scene.coupling.tick_report().unconverged, 0) << "row " << row << ", tick " << k;
-      ASSERT_LE(scene.coupling.tick_report().iterations, max_systems) << "row " << row << ", tick " << k;
+      ASSERT_EQ(scene.coupling.last_step().report().unconverged, 0) << "row " << row << ", tick " << k;
+      ASSERT_LE(scene.coupling.last_step().report().iterations, max_systems) << "row " << row << ", tick " << k;
     }
     EXPECT_LT(scene.coupling.cord(loose).positions()[0].y, -20.0) << "row " << row;
   }

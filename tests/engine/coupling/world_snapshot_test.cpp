@@ -3,73 +3,19 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 #include <vector>
 
 #include "ribbon/definition.h"
+#include "tests/engine/coupling/saved_world.h"
 #include "tests/support/allocations.h"
 
 // What WorldSnapshot puts back, and what a world does after it. That of cords is tested in
 // tests/game/simulation/going_back_test.cpp.
 
-namespace engine {
+namespace engine::snapshots {
 namespace {
 
 using ribbon::box2d::WorldSnapshot;
-
-constexpr float dt = 1.0F / 60.0F;
-constexpr int back = 8;  // ticks
-
-b2Body& add_box(b2World& world, b2Vec2 position, b2BodyType type = b2_dynamicBody, float half_width = 0.5F) {
-  b2BodyDef def;
-  def.type = type;
-  def.position = position;
-  b2PolygonShape box;
-  box.SetAsBox(half_width, 0.5F);
-  b2Body* body = world.CreateBody(&def);
-  body->CreateFixture(&box, 1.0F);
-  return *body;
-}
-
-b2Body& add_ball(b2World& world, b2Vec2 position, b2Vec2 velocity = b2Vec2_zero) {
-  b2BodyDef def;
-  def.type = b2_dynamicBody;
-  def.position = position;
-  def.linearVelocity = velocity;
-  b2CircleShape circle;
-  circle.m_radius = 0.4F;
-  b2Body* body = world.CreateBody(&def);
-  body->CreateFixture(&circle, 1.0F);
-  return *body;
-}
-
-/// A world with a floor, whose upper side is at 0, and a snapshot of each tick.
-struct SavedWorld {
-  SavedWorld() { add_box(world, {0.0F, -0.5F}, b2_staticBody, 30.0F); }
-
-  /// `act` is what the game does in the first of these ticks, after the snapshot.
-  void tick(
-      int times = 1, const std::function<void()>& act = [] {}) {
-    for (int k = 0; k < times; ++k) {
-      at(ticks++).save(world);
-      if (k == 0) act();
-      world.Step(dt, 8, 3);
-    }
-  }
-  /// The snapshot before tick `number`, from 0. The last of them are stored.
-  WorldSnapshot& at(int number) { return snapshots.at(static_cast<std::size_t>(number) % snapshots.size()); }
-  void go_back() {
-    ticks -= back;
-    at(ticks).restore(world, ticks > 0 ? &at(ticks - 1) : nullptr);
-  }
-
-  b2World world{b2Vec2(0.0F, -9.81F)};
-  int ticks = 0;
-  std::array<WorldSnapshot, back + 2> snapshots;
-};
 
 /// Bodies and touching contacts in the order of the lists of the world, as numbers.
 std::vector<float> picture(const b2World& world) {
@@ -92,57 +38,6 @@ std::vector<float> picture(const b2World& world) {
     }
   }
   return numbers;
-}
-
-float largest_distance(const std::vector<b2Vec2>& before, const b2World& world) {
-  float largest = 0.0F;
-  auto place = before.begin();
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++place) {
-    largest = std::max(largest, b2Distance(*place, body->GetPosition()));
-  }
-  return largest;
-}
-
-std::vector<b2Vec2> positions(const b2World& world) {
-  std::vector<b2Vec2> all;
-  for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    all.push_back(body->GetPosition());
-  }
-  return all;
-}
-
-/// Figures of going back from every fourth tick, each in a new world.
-struct Tries {
-  int all = 0;
-  int same_bits = 0;     // of the positions
-  float largest = 0.0F;  // m
-};
-
-Tries tries(const std::function<void(SavedWorld&)>& build) {
-  Tries result;
-  for (int ticks = back + 1; ticks < 150; ticks += 4) {
-    SavedWorld world;
-    build(world);
-    world.tick(ticks);
-    const std::vector<b2Vec2> places = positions(world.world);
-    world.go_back();
-    world.tick(back);
-    ++result.all;
-    const float distance = largest_distance(places, world.world);
-    result.same_bits += distance == 0.0F ? 1 : 0;
-    result.largest = std::max(result.largest, distance);
-  }
-  return result;
-}
-
-void drop_boxes(SavedWorld& world, int count) {
-  for (int k = 0; k < count; ++k) {
-    const auto column = static_cast<float>(k % 6);
-    const int row = k / 6;
-    const float aside = 0.1F * std::sin(7.0F * static_cast<float>(k));
-    const b2Vec2 place(1.1F * column + aside, 1.0F + 1.05F * static_cast<float>(row));
-    k % 3 == 2 ? add_ball(world.world, place) : add_box(world.world, place);
-  }
 }
 
 TEST(WorldSnapshot, PutsBodiesAndContactsBack) {
@@ -372,64 +267,6 @@ TEST(WorldSnapshot, AllocatesNothingAgain) {
   EXPECT_EQ(count.so_far(), 0);
 }
 
-TEST(WorldSnapshot, BodiesOnTheFloorContinueWithTheSameBits) {
-  const Tries result = tries([](SavedWorld& world) {
-    world.world.SetAllowSleeping(false);
-    for (int k = 0; k < 5; ++k) {
-      const auto x = static_cast<float>(3 * k);
-      add_box(world.world, {x, 0.6F + 0.3F * static_cast<float>(k)});
-      add_ball(world.world, {x + 0.2F, 2.5F + 0.1F * static_cast<float>(k)}, {1.0F, 0.0F});
-    }
-  });
-  EXPECT_EQ(result.same_bits, result.all);
-}
-
-/// Box2D finds several new contacts of a body in one tick in the order of its tree, which is private. In a pile the
-/// order of the contacts decides which box slips first. Measured: 35 of 36 tries with the same places, and 1.5 mm.
-TEST(WorldSnapshot, APileContinuesNearlyTheSame) {
-  const Tries result = tries([](SavedWorld& world) {
-    world.world.SetAllowSleeping(false);
-    drop_boxes(world, 48);
-  });
-  EXPECT_GE(10 * result.same_bits, 9 * result.all);
-  EXPECT_LT(result.largest, 0.01F);
-}
-
-/// The contacts of a body with several edges of one chain are created at once, in the order of the tree too. Measured:
-/// 35 of 36 tries, and 0.3 mm.
-TEST(WorldSnapshot, APileOnAChainContinuesNearlyTheSame) {
-  const Tries result = tries([](SavedWorld& world) {
-    world.world.SetAllowSleeping(false);
-    std::vector<b2Vec2> hills;
-    for (int k = -20; k <= 20; ++k) {
-      const auto x = static_cast<float>(k);
-      hills.emplace_back(0.7F * x, 0.3F + 0.3F * std::sin(1.3F * x));
-    }
-    b2ChainShape chain;
-    chain.CreateChain(hills.data(), static_cast<int>(hills.size()), hills.front(), hills.back());
-    world.world.GetBodyList()->CreateFixture(&chain, 0.0F);
-    drop_boxes(world, 48);
-  });
-  EXPECT_GE(10 * result.same_bits, 9 * result.all);
-  EXPECT_LT(result.largest, 0.01F);
-}
-
-/// The impulses of joints are private and stay those of eight ticks later. Measured: 7.4 mm.
-TEST(WorldSnapshot, JointsContinueNearlyTheSame) {
-  const Tries result = tries([](SavedWorld& world) {
-    b2Body* before = world.world.GetBodyList();
-    for (int k = 0; k < 6; ++k) {
-      b2Body& link = add_ball(world.world, {1.0F * static_cast<float>(k + 1), 9.0F});
-      b2RevoluteJointDef joint;
-      joint.Initialize(before, &link, {1.0F * static_cast<float>(k), 9.0F});
-      world.world.CreateJoint(&joint);
-      before = &link;
-    }
-  });
-  EXPECT_LT(result.same_bits, result.all);
-  EXPECT_LT(result.largest, 0.02F);
-}
-
 /// No function of the public state can be exact: two worlds have the same public state, and differ later. In one of
 /// them the box has been at rest for 20 ticks; in the other its rest was just interrupted.
 TEST(WorldSnapshot, CannotBeExactBecauseTheRestTimeIsPrivate) {
@@ -448,4 +285,4 @@ TEST(WorldSnapshot, CannotBeExactBecauseTheRestTimeIsPrivate) {
 }
 
 }  // namespace
-}  // namespace engine
+}  // namespace engine::snapshots

@@ -30,7 +30,7 @@ Wound wound(const ribbon::Accuracy& accuracy, int ticks) {
   Wound sum;
   for (int tick = 0; tick < ticks; ++tick) {
     world.tick();
-    const ribbon::IslandReport report = world.coupling.tick_report();
+    const ribbon::IslandReport report = world.coupling.last_step().report();
     sum.iterations = std::max(sum.iterations, report.iterations);
     sum.stretch = std::max(sum.stretch, test_support::path_length(world.points(0)) / before - 1.0);
   }

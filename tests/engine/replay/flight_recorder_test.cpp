@@ -52,7 +52,7 @@ TEST(FlightRecorder, WritesExactlyTheTicksOfWhichAConditionHolds) {
   for (int k = 0; k < 60; ++k) {
     if (k == 30) bridge.ball.SetLinearVelocity({0.0F, -8.0F});
     bridge.world.tick();
-    const ribbon::IslandReport& report = bridge.world.coupling.tick_report();
+    const ribbon::IslandReport& report = bridge.world.coupling.last_step().report();
     if (report.work <= *conditions.max_work) continue;
     ++bad;
     ASSERT_EQ(recorder.written(), bad) << recorder.failure();

@@ -25,6 +25,17 @@ inline std::string error_of(const std::string& bytes) {
   return refusal<ReplayError>([&] { parse(bytes); });
 }
 
+/// Expects that a recording is refused after a change to any bit of it.
+inline void expect_every_bit_to_matter(const std::string& whole) {
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string changed = whole;
+    for (int bit = 0; bit < 8; ++bit) {
+      changed[at] = static_cast<char>(static_cast<unsigned char>(whole[at]) ^ (1U << bit));
+      ASSERT_TRUE(test_support::says(error_of(changed), "swing.replay: byte ")) << "byte " << at << ", bit " << bit;
+    }
+  }
+}
+
 inline ReplayHeader some_header() {
   return {.level = "Lianen-Übung.tmj",
           .level_hash = 0x0123456789abcdef,

@@ -61,7 +61,7 @@ TEST(SceneWheel, StopsALoadThatReachesIt) {
   for (int k = 0; k < 300; ++k) {
     scene.tick(dt);
     nearest = std::min(nearest, distance());
-    unconverged += scene.coupling().tick_report().unconverged;
+    unconverged += scene.coupling().last_step().report().unconverged;
   }
   EXPECT_EQ(unconverged, 0);
   EXPECT_GT(nearest, 0.25 + 0.15);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "ribbon/pulley.h"
 #include "tests/extremes/any_scene/geometry.h"
 #include "tests/support/slot.h"
 
@@ -168,7 +169,8 @@ void hold_again(Scene& scene) {
 void drop_misfits(Scene& scene) {
   std::erase_if(scene.wheels, [&scene](const Wheel& wheel) {
     try {
-      ribbon::Cord(scene.cords[slot(wheel.cord)].def).add_pulley(wheel.def);
+      ribbon::Cord cord(scene.cords[slot(wheel.cord)].def);
+      add_pulley(cord, wheel.def);
       return false;
     } catch (const ribbon::DefinitionError&) {
       return true;

@@ -18,9 +18,9 @@ using test_support::slot;
 
 }  // namespace
 
-int work(const ribbon::box2d::Coupling& coupling) { return coupling.tick_report().iterations; }
+int work(const ribbon::box2d::Coupling& coupling) { return coupling.last_step().report().iterations; }
 
-int unconverged(const ribbon::box2d::Coupling& coupling) { return coupling.tick_report().unconverged; }
+int unconverged(const ribbon::box2d::Coupling& coupling) { return coupling.last_step().report().unconverged; }
 
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
     : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}

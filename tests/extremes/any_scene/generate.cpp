@@ -235,6 +235,26 @@ void add_belts(Dice& dice, Scene& scene) {
   }
 }
 
+void fill_pit(Dice& dice, const Recipe& recipe, Placer& placer) {
+  for (int k = random_integer(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
+    placer.add_cord(dice, cord_of_heap(dice), pit_low, pit_high);
+  }
+  for (int k = random_integer(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
+    placer.add_solid(dice, some_solid(dice, Motion::dynamic), pit_low, pit_high);
+  }
+}
+
+void add_cords_and_bodies(Dice& dice, const Recipe& recipe, bool mixed, Placer& placer) {
+  for (int k = random_integer(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
+    const CordDef def = some_cord(dice, recipe, mixed);
+    // If a hundred tries find no free place, search higher up.
+    if (!placer.add_cord(dice, def, cords_low, cords_high)) placer.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
+  }
+  for (int k = random_integer(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
+    placer.add_solid(dice, some_solid(dice, Motion::dynamic), bodies_low, bodies_high);
+  }
+}
+
 }  // namespace
 
 std::string_view name(Family family) {
@@ -267,22 +287,10 @@ Scene generate(const SceneId& which) {
   } else {
     add_scenery(dice, placer, scene);
   }
-  for (int k = random_integer(dice, recipe.min_cords, recipe.max_cords); k > 0; --k) {
-    const CordDef def = heap ? cord_of_heap(dice) : some_cord(dice, recipe, mixed);
-    if (heap) {
-      placer.add_cord(dice, def, pit_low, pit_high);
-      continue;
-    }
-    // If a hundred tries find no free place, search higher up.
-    if (!placer.add_cord(dice, def, cords_low, cords_high)) placer.add_cord(dice, def, {-5.0, 9.0}, {5.0, 30.0});
-  }
-  for (int k = random_integer(dice, recipe.min_bodies, recipe.max_bodies); k > 0; --k) {
-    const Solid solid = some_solid(dice, Motion::dynamic);
-    if (heap) {
-      placer.add_solid(dice, solid, pit_low, pit_high);
-    } else {
-      placer.add_solid(dice, solid, bodies_low, bodies_high);
-    }
+  if (heap) {
+    fill_pit(dice, recipe, placer);
+  } else {
+    add_cords_and_bodies(dice, recipe, mixed, placer);
   }
   add_holders(dice, recipe, reeved, scene);
   if (mixed) vary_cords(Dice(which.seed), scene);

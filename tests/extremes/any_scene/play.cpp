@@ -17,7 +17,7 @@ namespace {
 void look(const World& world, const Oracles& oracles, const Snapshot& before, const Snapshot& after, Sample& sample) {
   sample.work = work(world.coupling());
   sample.unconverged = unconverged(world.coupling());
-  sample.left = world.coupling().tick_report().position_error;
+  sample.left = world.coupling().last_step().report().position_error;
   sample.speed = world.fastest();
   sample.gaps = world.grip_gaps();
   const Lengths worst = lengths(world);

@@ -210,12 +210,12 @@ double World::tick() {
 }
 
 bool World::has_broken() const {
-  const auto events = coupling_.cut_events();
+  const auto events = coupling_.last_step().cut_events();
   return std::any_of(events.begin(), events.end(), [](const auto& event) { return event.broke; });
 }
 
 bool World::has_lost_a_cord() const {
-  const auto events = coupling_.cut_events();
+  const auto events = coupling_.last_step().cut_events();
   return std::any_of(events.begin(), events.end(),
                      [](const auto& event) { return event.broke && !event.first && !event.second; });
 }

@@ -137,7 +137,7 @@ TEST(LabLamps, FallAsleepAndOnlyTheTouchedOneWakes) {
   experiment.set(Knob::count, 100.0);
   run(experiment, 20 * 60);
   EXPECT_EQ(reading(experiment, Reading::Kind::awake), 0.0);
-  EXPECT_EQ(cords_of(experiment).coupling().tick_report().work, 0);
+  EXPECT_EQ(cords_of(experiment).coupling().last_step().report().work, 0);
   engine::TickInput input;
   input.buttons = button_drag;
   engine::set_pointer(input, to_double(cords_of(experiment).bodies()[7].body->GetPosition()) + Vec2{0.05, 0.0});

@@ -73,7 +73,7 @@ TEST_P(LinesAtRandom, HoldAndStayWhole) {
       simulation.tick(player.input(simulation));
       ++ticks;
       const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-      unconverged += coupling.tick_report().unconverged;
+      unconverged += coupling.last_step().report().unconverged;
       ASSERT_LT(simulation.player().body().GetLinearVelocity().Length(), 30.0F) << seed << " " << simulation.ticks();
       for (const Line& line : simulation.player().lines().all()) {
         if (!line.is_held() || line.is_new()) continue;

@@ -22,10 +22,10 @@ class Novelty {
   /// cord was cut, or more bodies were near a cord than ever before.
   bool is_new(const Simulation& simulation) {
     const ribbon::box2d::Coupling& coupling = simulation.scene().coupling();
-    const int islands = coupling.islands();
+    const int islands = coupling.last_step().islands();
     const bool holds = coupling.body(simulation.player().body()).held_place().has_value();
-    bool found = islands != islands_ || !coupling.cut_events().empty() || holds != holds_ ||
-                 simulation.player().line().is_new() || !coupling.touch_events().empty();
+    bool found = islands != islands_ || !coupling.last_step().cut_events().empty() || holds != holds_ ||
+                 simulation.player().line().is_new() || !coupling.last_step().touch_events().empty();
     islands_ = islands;
     holds_ = holds;
     const auto ids = coupling.cords();

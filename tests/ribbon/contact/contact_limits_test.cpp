@@ -16,6 +16,15 @@ namespace {
 using std::numbers::pi;
 using test_support::ContactWorld;
 
+CordDef elastic_metre() {
+  CordDef def;
+  def.points = 21;
+  def.length = 1.0;
+  def.mass_per_length = 0.5;
+  def.stretch_stiffness = 1e4;
+  return def;
+}
+
 /// The direction does not depend on the side of the links that the wheel is on.
 TEST(CordContactLimits, ARotatingCirclePullsItByFriction) {
   for (const double friction : {0.0, 0.8}) {
@@ -236,11 +245,7 @@ TEST(CordContactLimits, ShortLinksDoNotStretchWithinALargeTolerance) {
 TEST(CordContactLimits, ABallThatStartsWithItsCentreOnACordIsDepenetrated) {
   for (const double along : {0.5, 0.525, 0.51}) {
     for (const double radius : {5e-6, 5e-4, 0.05}) {
-      CordDef def;
-      def.points = 21;
-      def.length = 1.0;
-      def.mass_per_length = 0.5;
-      def.stretch_stiffness = 1e4;
+      const CordDef def = elastic_metre();
       ContactWorld world(def);
       world.gravity = {};
       const int ball = world.add_ball({along, 0.0}, radius, 0.5, 0.3);
@@ -310,11 +315,7 @@ TEST(CordContactLimits, DepenetrationStretchesATautCordSlowly) {
 TEST(CordContactLimits, ACordThatStartsDeepInALargeCircleIsDepenetratedUndamaged) {
   for (const double radius : {0.5, 5.0, 50.0}) {  // 10 links and more
     for (const double depth : {1e-3, 0.05}) {
-      CordDef def;
-      def.points = 21;
-      def.length = 1.0;
-      def.mass_per_length = 0.5;
-      def.stretch_stiffness = 1e4;
+      const CordDef def = elastic_metre();
       ContactWorld world(def);
       world.gravity = {};
       world.add_peg({0.5, radius + def.radius - depth}, radius, 0.0);

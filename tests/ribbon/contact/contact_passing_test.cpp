@@ -60,13 +60,7 @@ struct Outcome {
   int systems = 0;     ///< maximum number of linear systems in a tick
 };
 
-/// Shoots a ball of a hundredth to a hundred times the cord's mass at a cord of 4 m. It passed through:
-/// - a ring with both ends pinned at one place, if it started inside and is outside;
-/// - a taut cord between two pins, if it is between them on the other side, or left straight through. (It may slide
-///   along the cord and around a pin.)
-/// - a cord with a free end, if the cord did not move. (It may pass around the end, but then the cord moves.)
-Outcome shoot(const Shot& shot, unsigned seed) {
-  Dice dice(seed);
+CordDef cord_to_hit(const Shot& shot, Dice& dice) {
   CordDef def;
   def.points = 41;
   def.length = 4.0;
@@ -83,6 +77,47 @@ Outcome shoot(const Shot& shot, unsigned seed) {
                             : shot.hung == Hung::taut ? Vec2{0.1 * i, 0.0}
                                                       : Vec2{0.0, -0.1 * i});
   }
+  return def;
+}
+
+/// A ball passed through:
+/// - a ring with both ends pinned at one place, if it started inside and is outside;
+/// - a taut cord between two pins, if it is between them on the other side, or left straight through. (It may slide
+///   along the cord and around a pin.)
+/// - a cord with a free end, if the cord did not move. (It may pass around the end, but then the cord moves.)
+Outcome fly(ContactWorld& world, int ball, double radius, Hung hung) {
+  Outcome outcome;
+  const bool below = is_below(world.cord.positions(), world.body(ball).position);
+  bool between = true;
+  for (int k = 0; k < 20; ++k) {
+    const std::vector<Vec2> before(world.cord.positions().begin(), world.cord.positions().end());
+    const Vec2 start = world.body(ball).position;
+    const bool crossing = crosses(before, start, start + tick * world.body(ball).velocity);
+    world.step();
+    const std::span<const Vec2> after = world.cord.positions();
+    const Vec2 end = world.body(ball).position;
+    outcome.finite = outcome.finite && is_finite(end) && is_finite(after[20]);
+    outcome.depth = std::max(outcome.depth, world.depth());
+    outcome.systems = std::max(outcome.systems, world.report.iterations);
+    if (hung == Hung::ring) {
+      outcome.through = outcome.through || !is_below(after, end);
+    } else if (hung == Hung::taut) {
+      between = between && end.x > 0.0 && end.x < 4.0;
+      outcome.through = outcome.through || crosses(before, start, end) || (between && is_below(after, end) != below);
+    } else if (crossing && !outcome.hit) {
+      double most = 0.0;
+      for (std::size_t p = 0; p < before.size(); ++p) most = std::max(most, length(after[p] - before[p]));
+      outcome.through = most < 0.3 * radius;
+    }
+    outcome.hit = outcome.hit || crossing;
+  }
+  return outcome;
+}
+
+/// Shoots a ball of a hundredth to a hundred times the cord's mass at a cord of 4 m.
+Outcome shoot(const Shot& shot, unsigned seed) {
+  Dice dice(seed);
+  const CordDef def = cord_to_hit(shot, dice);
   const double radius = dice(0.05, 0.3);
   const double mass = std::pow(10.0, dice(-2.0, 2.0));
   const Vec2 aim = def.positions[static_cast<std::size_t>(dice(4.0, 37.0))];
@@ -97,33 +132,7 @@ Outcome shoot(const Shot& shot, unsigned seed) {
   const int ball = world.add_ball(shot.hung == Hung::ring ? Vec2{} : aim + away * from, radius, mass, 0.4);
   world.body(ball).velocity = (-shot.radii_a_tick * radius / tick) * from;
   if (!shot.with_contact) world.circles.clear();
-
-  Outcome outcome;
-  const bool below = is_below(world.cord.positions(), world.body(ball).position);
-  bool between = true;
-  for (int k = 0; k < 20; ++k) {
-    const std::vector<Vec2> before(world.cord.positions().begin(), world.cord.positions().end());
-    const Vec2 start = world.body(ball).position;
-    const bool crossing = crosses(before, start, start + tick * world.body(ball).velocity);
-    world.step();
-    const std::span<const Vec2> after = world.cord.positions();
-    const Vec2 end = world.body(ball).position;
-    outcome.finite = outcome.finite && is_finite(end) && is_finite(after[20]);
-    outcome.depth = std::max(outcome.depth, world.depth());
-    outcome.systems = std::max(outcome.systems, world.report.iterations);
-    if (shot.hung == Hung::ring) {
-      outcome.through = outcome.through || !is_below(after, end);
-    } else if (shot.hung == Hung::taut) {
-      between = between && end.x > 0.0 && end.x < 4.0;
-      outcome.through = outcome.through || crosses(before, start, end) || (between && is_below(after, end) != below);
-    } else if (crossing && !outcome.hit) {
-      double most = 0.0;
-      for (std::size_t p = 0; p < before.size(); ++p) most = std::max(most, length(after[p] - before[p]));
-      outcome.through = most < 0.3 * radius;
-    }
-    outcome.hit = outcome.hit || crossing;
-  }
-  return outcome;
+  return fly(world, ball, radius, shot.hung);
 }
 
 struct Tally {
@@ -205,26 +214,43 @@ struct Whip {
   bool with_contact = true;
 };
 
-/// Throws a cord of 4 m up at a peg at 100 m/s, 1.7 m per tick. The cord passed through if the peg is no longer above
-/// it. With driven ends, which move together to both sides of the peg and stop above it, this holds at any time. Free
-/// ends may pass around the peg; for them it holds after the first tick.
-Outcome whip(const Whip& scene, unsigned seed) {
-  Dice dice(seed);
+CordDef cord_to_throw(const Whip& scene, double slope) {
   CordDef def;
   def.points = 41;
   def.length = 4.0;
   def.radius = 0.02;
   def.mass_per_length = 0.25;
-  def.friction = dice.coin() ? 0.0 : 0.4;
-  def.accuracy = dice.coin() ? Accuracy::balanced() : Accuracy::fast();
-  def.accuracy.max_work = ample_work;
-  const double slope = dice(-0.3, 0.3);
   const double half = scene.driven ? 1.9 : 2.0;
   for (int i = 0; i < 41; ++i) {
     const double s = (i - 20) / 20.0;
     const double fold = scene.driven ? 0.03 * (i % 2) : 0.0;  // links of 10 cm on 9.5 cm
     def.positions.push_back({half * s * std::cos(slope), half * s * std::sin(slope) + fold});
   }
+  return def;
+}
+
+/// Moves the ends for a tick to both sides of the peg, and up until they are above it.
+void drive_ends(ContactWorld& world, Vec2 peg) {
+  for (const int p : {0, 40}) {
+    const Vec2 at = world.cord.target(p);
+    const double goal_x = peg.x + (p == 0 ? -0.6 : 0.6);
+    const double rise = std::clamp(peg.y + 0.5 - at.y, -100.0 * tick, 100.0 * tick);
+    world.cord.operate(p, {at.x + std::clamp(goal_x - at.x, -20.0 * tick, 20.0 * tick), at.y + rise});
+  }
+}
+
+/// Throws a cord of 4 m up at a peg at 100 m/s, 1.7 m per tick. The cord passed through if the peg is no longer above
+/// it. With driven ends, which move together to both sides of the peg and stop above it, this holds at any time. Free
+/// ends may pass around the peg; for them it holds after the first tick.
+Outcome whip(const Whip& scene, unsigned seed) {
+  Dice dice(seed);
+  const double friction = dice.coin() ? 0.0 : 0.4;
+  const Accuracy accuracy = dice.coin() ? Accuracy::balanced() : Accuracy::fast();
+  const double slope = dice(-0.3, 0.3);
+  CordDef def = cord_to_throw(scene, slope);
+  def.friction = friction;
+  def.accuracy = accuracy;
+  def.accuracy.max_work = ample_work;
   ContactWorld world(def);
   const double radius = dice(0.03, 0.3);
   const double x = dice(-0.5, 0.5);
@@ -240,14 +266,7 @@ Outcome whip(const Whip& scene, unsigned seed) {
   Outcome outcome;
   outcome.hit = true;
   for (int k = 0; k < 20; ++k) {
-    if (scene.driven) {
-      for (const int p : {0, 40}) {
-        const Vec2 at = world.cord.target(p);
-        const double goal_x = peg.x + (p == 0 ? -0.6 : 0.6);
-        const double rise = std::clamp(peg.y + 0.5 - at.y, -100.0 * tick, 100.0 * tick);
-        world.cord.operate(p, {at.x + std::clamp(goal_x - at.x, -20.0 * tick, 20.0 * tick), at.y + rise});
-      }
-    }
+    if (scene.driven) drive_ends(world, peg);
     world.step();
     const std::span<const Vec2> after = world.cord.positions();
     outcome.finite = outcome.finite && is_finite(after[20]);

@@ -1,0 +1,93 @@
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/grip_table.h"
+#include "tests/engine/coupling/grip_world.h"
+#include "tests/support/points.h"
+
+// Grips at a bend of their cord.
+
+namespace engine {
+namespace {
+
+/// A fold of a rope on a hook hangs still, though its sides are not equally long: one point carries both.
+TEST(Grip, HangsStillWhereItIsFoldedOverAHook) {
+  GripWorld scene;
+  CordDef def = hanging();
+  def.pins = {};
+  for (std::size_t i = 0; i < def.positions.size(); ++i) {
+    const double arc = 0.2 * (static_cast<double>(i) - 20.0);
+    def.positions[i] = {i == 20 ? 0.0 : std::copysign(0.005, arc), -std::abs(arc)};
+  }
+  scene.coupling.add(Cord(def));
+  b2Body* hook = scene.add_body({0.0, 0.0}, 1.0, b2_staticBody);
+  const ribbon::box2d::GripId grip = scene.coupling.hold(*hook, {.cord = 0, .arc = 4.0, .strength = 0.05});
+  scene.tick(300);
+  ASSERT_TRUE(scene.coupling.grip(grip).is_valid());
+  EXPECT_LE(length(scene.coupling.grip(grip).state().place), 1e-3);
+}
+
+/// A rope that leads away from a fixed hook at an angle is pulled through it by its heavier side.
+TEST(Grip, LeavesABendOfACordThatRunsThroughAHook) {
+  GripWorld scene;
+  CordDef def = hanging();
+  def.pins = {};
+  for (std::size_t i = 0; i < def.positions.size(); ++i) {
+    const double arc = 0.2 * (static_cast<double>(i) - 10.0);
+    def.positions[i] = i < 10 ? -arc * Vec2{std::sin(0.8), std::cos(0.8)} : Vec2{0.0, -arc};
+  }
+  scene.coupling.add(Cord(def));
+  b2Body* hook = scene.add_body({0.0, 0.0}, 1.0, b2_staticBody);
+  const double weight = def.mass_per_length * def.length * g;
+  const ribbon::box2d::GripId grip = scene.coupling.hold(*hook, {.cord = 0, .arc = 2.0, .strength = 0.1 * weight});
+  scene.tick(20);
+  EXPECT_LE(scene.coupling.grip(grip).state().arc, 1.9);
+  EXPECT_LE(length(scene.coupling.grip(grip).state().place), 0.05);
+}
+
+/// A rope runs through a hook that is fixed, by its own weight less the friction, and drops off it.
+TEST(Grip, LetsACordRunThroughAHook) {
+  for (const b2BodyType type : {b2_staticBody, b2_kinematicBody}) {
+    GripWorld scene;
+    CordDef def = hanging();
+    def.pins = {};
+    scene.coupling.add(Cord(def));
+    const double weight = def.mass_per_length * def.length * g;
+    b2Body* hook = scene.add_body({0.0, -4.0}, 1.0, type);
+    const ribbon::box2d::GripId grip = scene.coupling.hold(*hook, {.cord = 0, .arc = 4.0, .strength = 0.25 * weight});
+    scene.tick(30);
+    const double fall = 0.5 * 0.75 * g * 0.5 * 0.5;
+    EXPECT_NEAR(scene.coupling.grip(grip).state().arc, 4.0 - fall, 0.01) << type;
+    EXPECT_NEAR(length(scene.coupling.grip(grip).state().pull), 0.25 * weight, 1e-3 * weight) << type;
+    int ticks = 30;
+    for (; ticks < 120 && scene.coupling.grip(grip).is_valid(); ++ticks) scene.tick();
+    EXPECT_NEAR(ticks * dt, std::sqrt(2.0 * 4.0 / (0.75 * g)), 0.05) << type;
+  }
+}
+
+/// Where two links rise from the point that it holds, it hangs, though its strength is small, and hangs still.
+TEST(Grip, HangsInABendThatItCannotLeave) {
+  for (const ribbon::Accuracy& accuracy :
+       {ribbon::Accuracy::fast(), ribbon::Accuracy::balanced(), ribbon::Accuracy::accurate()}) {
+    GripWorld scene;
+    CordDef def = hanging();
+    def.points = 3;
+    def.pins = {0, 2};
+    def.accuracy = accuracy;
+    def.positions = {{-3.0, 0.0}, {0.0, -4.0}, {3.0, 0.0}};
+    scene.coupling.add(Cord(def));
+    b2Body* body = scene.add_body({-1.5, -2.0}, 70.0);
+    const ribbon::box2d::GripId grip = scene.coupling.hold(*body, {.cord = 0, .arc = 2.5, .strength = 20.0});
+    scene.tick(600);
+    const ribbon::box2d::GripState state = scene.coupling.grip(grip).state();
+    EXPECT_NEAR(state.pull.y, 70.0 * g, 1.0);
+    EXPECT_NEAR(state.arc, 5.0, 1e-3);
+    EXPECT_LE(length(ribbon::box2d::to_double(body->GetWorldCenter()) - Vec2{0.0, -4.0}), 1e-3);
+    EXPECT_LE(length(scene.coupling.body(*body).velocity()), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace engine
