@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "ribbon/geometry/separation.h"
 #include "ribbon/linear/index.h"
@@ -14,8 +13,6 @@ namespace {
 constexpr double deep_share = 0.01;
 constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
 constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
-constexpr double usual_gravity = 10.0;           // m/s², by which weights are judged, also without gravity
-constexpr int one_link = 2;                      // in the numbers of features
 constexpr double negligible_way = 1e-3;  // of a direction's length: less is that of a straight rope, or rounding
 
 /// m, where an anchor is at the start of the step.
@@ -24,37 +21,23 @@ Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anc
   return contacts.scene.anchors.body(anchor).current;
 }
 
-/// Restores what the cord stored of the contact in the last step. Returns the largest force of it and of those beside
-/// it on the cord, N: a contact that slides goes from link to link.
-double restore_touch(const Member& member, ContactPair& pair) {
+/// Restores what the cord stored of the contact in the last step.
+void restore_touch(const Member& member, ContactPair& pair) {
   const auto& touches = member.cord->state.touches;
-  const auto found = std::lower_bound(touches.begin(), touches.end(), pair.touch,
-                                      [](const Touch& a, const Touch& b) { return a.place_before(b); });
-  double largest = 0.0;
-  const auto take = [&pair, &largest](const Touch& beside) {
-    if (beside.other != pair.touch.other || std::abs(beside.feature - pair.touch.feature) > one_link) return;
-    largest = std::max(largest, beside.force);
-  };
-  if (found != touches.begin()) take(*(found - 1));
-  if (found != touches.end()) {
-    take(*found);
-    if (found + 1 != touches.end()) take(*(found + 1));
-    if (!pair.touch.place_before(*found)) pair.touch = *found;
-  }
+  const auto before = std::lower_bound(touches.begin(), touches.end(), pair.touch,
+                                       [](const Touch& a, const Touch& b) { return a.place_before(b); });
+  if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
   pair.touch.impulse = 0.0;
   pair.touch.push = {};
-  return largest;
 }
 
 /// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
-/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several. What was
-/// pressed together with a `force` of more than the weight comes out more slowly: the contact does no more work than
-/// lifting the weight at the greatest speed. Otherwise a cord that is trapped would be stretched without bound.
-void limit_penetration(double distance, double size, double weight, double force, double dt, ContactPair& pair) {
+/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
+void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
   const double depth = pair.contact_distance - distance;
   if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
   pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
-  const double max_in = weight / std::max(weight, force) * dt * max_depenetration_speed;
+  const double max_in = state.dt * max_depenetration_speed;
   if (pair.initial_penetration > max_in) {
     pair.contact_distance -= pair.initial_penetration - max_in;
     pair.initial_penetration = max_in;
@@ -119,15 +102,15 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
       mass / (state.dt * state.dt);
   pair.friction = std::sqrt(def.friction * friction);
   pair.restitution = std::max(def.restitution, restitution);
-  const double force = restore_touch(member, pair);
+  restore_touch(member, pair);
   const Separation gap =
       find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
                       anchor_position(state, contacts, pair.b));
   if (pair.is_mutual && gap.distance <= ContactPair::coincident_share * pair.contact_distance) {
     pair.parting = parting_direction(state, pair, gap);
   }
-  const double size = std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]);
-  limit_penetration(gap.distance, size, usual_gravity * mass, force, state.dt, pair);
+  limit_penetration(state, gap.distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
+                    pair);
   contacts.scene.add(pair);
 }
 
