@@ -44,9 +44,10 @@ class Cord {
   int index(int i, int j) const;
   std::span<const Vec2> positions() const;   ///< m, by index
   std::span<const Vec2> velocities() const;  ///< m/s, by index
-  /// N, tensions of the links of a rope or of the bars of a ribbon; negative under compression. A ribbon of cells has
-  /// one entry per cell first, column by column, (μ + λ)·area·(|z| − 2) [J], where |z| is the sum of its principal
-  /// stretches, then the tensions of its spine, if any [N].
+  /// Returns the tensions, negative under compression. A rope has one per link [N], a ribbon of bars one per bar [N]. A
+  /// ribbon of cells has one entry per cell first, column by column, then one tension per bar of its spine, if any [N].
+  /// The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ [N/m] and the sum of its
+  /// principal stretches |z|. For a force of any cord see tension.
   std::span<const double> tensions() const;
   /// Returns what determines the motion of a point. This and the next three do not check the index.
   PointKind kind(int point) const;
@@ -91,7 +92,8 @@ class Cord {
   /// Pins a point to `target` [m, within ±1e9]. The point moves there at constant velocity during the next step and
   /// then stays. Throws CallError for a point on the wheel of a pulley.
   void constrain(int point, Vec2 target);
-  /// Drags a point to `target` in the same way. Call it before each step while dragging.
+  /// Moves a point to `target` as `constrain` does, but as one that is dragged (PointKind::operated), for example by a
+  /// pointer. Call it before each step while dragging; the point stays at the last target until it is released.
   void operate(int point, Vec2 target);
   /// Frees a constrained or operated point. It keeps its velocity.
   void release(int point);
@@ -137,8 +139,8 @@ class Cord {
     double slid = 0.0;                  ///< columns, slip of the grip along the cord
     bool operator==(const Holder&) const = default;
   };
-  /// Returns the bodies that held the cord in the last step, ordered by point, except static and kinematic ones at a
-  /// point: these drive it.
+  /// Returns the bodies that held the cord in the last step, ordered by point. A static or kinematic body that holds
+  /// the cord at a point is not among them: it drives the point, as a pin does.
   std::span<const Holder> holders() const;
 
   /// Everything that later steps depend on, except the definition.
@@ -165,10 +167,10 @@ class Cord {
     std::vector<Holder> holders;     ///< see Cord::holders
     std::vector<Touch> touches;      ///< see Cord::touches
     bool touch_changed = false;      ///< a contact began or ended in the last step
-    double regainable_energy = 0.0;  ///< J, energy that may be regained; see IslandReport::energy_gains
+    double regainable_energy = 0.0;  ///< J, energy that later substeps may gain back
     double energy_drift = 0.0;       ///< J, lost since the cord was created; negative if gained
-    bool damping_excluded = false;   ///< the tensions exclude damping
-    bool restart = true;             ///< the accelerations are out of date
+    bool damping_excluded = false;   ///< the tensions are those of the elastic part only
+    bool restart = true;             ///< the next step does not use the accelerations
     double rest_time = 0.0;          ///< s, rest time so far, up to time_to_sleep
     bool asleep = false;             ///< see Cord::is_asleep
     std::uint64_t surroundings_hash = 0;  ///< hash of its surroundings at rest; 0 if they moved

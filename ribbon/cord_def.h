@@ -19,12 +19,14 @@ struct Accuracy {
   Integrator integrator = Integrator::tr_bdf2;  ///< time integration method
   int substeps =
       1;  ///< per step, 1 … 4096. The error of TR-BDF2 falls with their square, that of implicit Euler linearly
-  int max_iterations = 8;   ///< full Newton steps without contacts, 1 … 1000; then the solve begins a line search
+  /// Newton steps without line search, 1 … 1000, of a solve without contacts. If it has not converged by then, it
+  /// starts again with a line search. Near contacts the number is fixed.
+  int max_iterations = 8;
   double tolerance = 5e-4;  ///< m, 1e-12 … 1. A solve ends when a Newton step moves no point further than this
-  /// Work budget of a step, 1 … 1,000,000, roughly in linear systems; with more than four substeps, of each four. (The
-  /// unit is 4 units of IslandReport::work for each point and body of the island.) When a step exceeds the budget, it
-  /// keeps the current state, which is finite but not solved, and reports it as unconverged. With a budget of 10,000 or
-  /// more, contacts are linearised once only in heaps with soft_contacts; any other step near contacts that does not
+  /// Work budget of a step, 1 … 1,000,000, about this many linear systems. With S > 4 substeps it is multiplied by S/4.
+  /// (The unit is 4 units of IslandReport::work for each point and body of the island.) When a step exceeds the budget,
+  /// it keeps the current state, which is finite but not solved, and reports it as unconverged. With a budget of 10,000
+  /// or more, contacts are linearised once only in heaps with soft_contacts; any other step near contacts that does not
   /// converge is halved repeatedly, which is accurate in any collision but slow.
   int max_work = 600;
   /// Makes contacts 20 times softer, which saves two thirds of the solves in a heap: at rest a body penetrates by 1/100
@@ -63,9 +65,9 @@ struct CordDef {
   /// EI [N·m²]: moment per unit of curvature, 0 … 1e18, independent of EA. A ribbon of cells with three or more rows
   /// needs a value above 0 and at most EA·width²/12, the stiffness of a solid strip; see `solid`.
   double bending_stiffness = 0.0;
-  /// EA of the cells [N] of a ribbon of two rows, 1e-12·EA … EA; bars along its middle line have the rest. 0, the
-  /// default, is all of EA. It sets how a ribbon resists shear. A cut along a row gives its pieces the cells that they
-  /// had.
+  /// The part of EA that the cells of a ribbon of two rows have [N], 1e-12·EA … EA; bars along its middle line have the
+  /// rest. 0, the default, means all of EA. It sets how a ribbon resists shear. A cut along a row sets it for pieces of
+  /// two rows, so that their cells stay as they were.
   double cell_stiffness = 0.0;
   double poisson_ratio = 0.0;  ///< of cells, −0.9 … 0.9: lateral contraction when stretched
   /// Resistance of cells to collapse and inversion, 0 … 1e3, as a multiple of their modulus. It acts on corners that

@@ -52,15 +52,14 @@ namespace ribbon::box2d {
 /// **Cost.** The cost of a tick depends on what is near the cords, because gather queries the broad phase of the world.
 /// It walks through all bodies of the world only in these cases: a body holds a cord and destructions are not reported
 /// (`trust_forget`); so many bodies are around the cords that separate queries would take longer; several bodies come
-/// near in one tick for the first time, or a body that was moved or touched is near no more.
+/// near in one tick for the first time; a body that a cord moved or touched in the last tick is no longer near.
 ///
 /// **Destroyed bodies.** The coupling installs no listener. Bodies and fixtures may be created and destroyed between
-/// ticks; the coupling never reads the memory of a destroyed one. If Box2D reuses its address, the coupling recognises
-/// the new object by its successor in Box2D's list, provided that the object created just before the destroyed one and
-/// one created later still exist. It cannot recognise the replacement of the newest body of the world or of the newest
-/// fixture of a body: destroy these with `destroy`, or call `forget` first. Otherwise the new object inherits grip,
-/// stored velocity and fixture number. The world must outlive all calls except the destructor, until another world is
-/// gathered.
+/// ticks; the coupling never reads the memory of a destroyed one. Box2D can give its address to a new object. The
+/// coupling notices this, except in two cases: the destroyed object was the newest body of the world or the newest
+/// fixture of its body, or the one created just before it is gone too. Then destroy it with `destroy`, or call `forget`
+/// first; otherwise the new object inherits grip, stored velocity and fixture number. The world must outlive all calls
+/// except the destructor, until another world is gathered.
 ///
 /// **Errors.** A value out of range throws DefinitionError. A wrong call throws CallError: one for a cord or grip that
 /// does not exist, for a cord of the other solver (unless the function returns a default for it), inside world.Step, or
@@ -105,13 +104,13 @@ class Coupling {
   /// Returns the number of cords, enabled or not.
   int size() const { return static_cast<int>(cords().size()); }
 
-  /// Makes a body hold a cord, in addition to its other grips. Throws CallError if the cord is unknown or disabled, if
-  /// the body already holds that place, and inside world.Step; for a cord of the thesis's solver also if the grip is
-  /// not at a point or has a finite strength. Throws DefinitionError for a value out of range.
+  /// Makes a body hold a cord, in addition to the other grips of the body. Throws CallError if the cord is unknown or
+  /// disabled, if the body already holds that place, and inside world.Step; for a cord of the thesis's solver also if
+  /// the grip is not at a point or has a finite strength. Throws DefinitionError for a value out of range.
   GripId hold(b2Body& body, const GripDef& def);
-  /// Makes a body hold a point of a cord of either solver at an anchor in the body's frame: a short form. Start with an
-  /// anchor at the point; a distant point is pulled to the anchor with great force, over several ticks. Throws
-  /// likewise.
+  /// Makes a body hold a point of a cord of either solver at an anchor in the body's frame: a short form of the other
+  /// `hold`. The anchor should be where the point is; a large force pulls a distant point to it over several ticks.
+  /// Throws as the other `hold` does.
   GripId hold(CordId cord, int point, b2Body& body, b2Vec2 local_anchor);
   /// Returns the handle of a grip, existing or not.
   GripRef grip(GripId grip) { return {*parts_, grip}; }
@@ -119,10 +118,10 @@ class Coupling {
   GripView grip(GripId grip) const { return {*parts_, grip}; }
   /// Ties a point of a cord to one of another cord: from the next tick on they move as one, with the velocity that
   /// keeps their momentum. Points that are apart are drawn together over several ticks, at up to 2 m/s. The cords do
-  /// not touch each other within three radii of a tie. A tie ends when it is untied, when it breaks, when a cut takes
-  /// the end with it as dust, and when one of its cords is removed, replaced or disabled. Throws CallError, and changes
-  /// nothing, for a cord that does not exist, is disabled or of the thesis's solver, for a tie of a cord to itself,
-  /// directly or through others, or of points that are tied, inside world.Step and between gather and apply;
+  /// not touch each other within three radii of a tie. A tie ends when it is untied, when it breaks, when a cut makes
+  /// its end dust (see CordRef::cut), and when one of its cords is removed, replaced or disabled. Throws CallError, and
+  /// changes nothing, for a cord that does not exist, is disabled or of the thesis's solver, for a tie of a cord to
+  /// itself, directly or through others, or of points that are tied, inside world.Step and between gather and apply;
   /// DefinitionError for an unknown point and a breaking force that is not above 0.
   TieId tie(const TieDef& def);
   /// Returns the handle of a tie, existing or not.
@@ -132,11 +131,12 @@ class Coupling {
   /// Lays a cord around a wheel that a body carries: a static or kinematic body, or a dynamic one such as the block of
   /// a tackle. The centre is where the wheel is now, and stays at that place of the body; see ribbon::add_pulley and
   /// reeve. The wheel is part of the pulley, not a body: its angle is in PulleyState. The cord touches nothing on the
-  /// wheel. Give the body a circle there, of the radius of the groove less that of the cord and not more: what is
-  /// pulled to the wheel stops at it. A pulley ends when it is removed, when a cut goes through the cord on its wheel,
-  /// when its cord is removed, replaced or disabled, and when its body is gone or disabled. Throws CallError and
-  /// DefinitionError as ribbon::add_pulley does, and CallError for a cord that does not exist, is disabled or of the
-  /// thesis's solver, where a grip or a tie would be on the wheel, inside world.Step and between gather and apply.
+  /// wheel. Add a circle fixture to the body there, so that what is pulled to the wheel stops at it; its radius is at
+  /// most that of the groove less that of the cord. A pulley ends when it is removed, when a cut goes through the cord
+  /// on its wheel, when its cord is removed, replaced or disabled, and when its body is gone or disabled. Throws
+  /// CallError and DefinitionError as ribbon::add_pulley does, and CallError for a cord that does not exist, is
+  /// disabled or of the thesis's solver, where a grip or a tie would be on the wheel, inside world.Step and between
+  /// gather and apply.
   PulleyId add_pulley(CordId cord, b2Body& body, const PulleyDef& def);
   /// Returns the handle of a pulley, existing or not.
   PulleyRef pulley(PulleyId pulley) { return {*parts_, pulley}; }

@@ -69,8 +69,8 @@ class CordView {
   const IslandReport& island_report() const;
   /// Returns the sum of these reports since the cord was added.
   const IslandReport& island_total() const;
-  /// Returns the estimated time integration error of the last tick [m], for exact initial values; 0 if errors are not
-  /// estimated.
+  /// Returns the estimated error that the last tick alone added to a point, at most [m]: its time integration error for
+  /// exact initial values. 0 if errors are not estimated.
   double error() const;
   // Of cords of the thesis's solver; default values for the others:
   const StepReport& thesis_report() const;  ///< of the last step
@@ -101,21 +101,21 @@ class CordRef : public CordView {
   void set_enabled(bool enabled) const;
   /// Cuts a cord of the direct solver at `arc` [m of rest length from its first point]: at the nearest column of
   /// points, across a ribbon. The cord is gone, and its pieces are new cords with its filter and user data. Pins,
-  /// loads, attached masses, grips, reels and contacts go to the side that they are on; see ribbon::cut. Less than half
-  /// a link is dust, and gone with what is attached there: a cut close to a pin frees the end. The contacts of the cord
-  /// end in the next step, and those of its pieces begin. Call it between ticks. O(points). Throws CallError, and
-  /// changes nothing, for a cord that does not exist, is disabled or of the thesis's solver, inside world.Step and
-  /// between gather and apply; DefinitionError unless 0 < arc < length.
+  /// loads, attached masses, grips, reels and contacts go to the side that they are on; see ribbon::cut. What
+  /// is less than half a link is dust: it is gone, with the pins, loads, grips and ties that it had, and the cord has
+  /// one piece. So a cut close to a pin frees the end. The contacts of the cord end in the next step, and those of its
+  /// pieces begin. Call it between ticks. O(points). Throws CallError, and changes nothing, for a cord that does not
+  /// exist, is disabled or of the thesis's solver, inside world.Step and between gather and apply; DefinitionError
+  /// unless 0 < arc < length.
   CutEvent cut(double arc) const;
   /// Cuts a ribbon of the direct solver along a row of points, 1 … rows − 2, over its whole length. The row becomes an
   /// edge of both pieces, which have the rows up to it and from it on, and their parts of mass and stiffness; see
-  /// ribbon::cut. What is attached to the row itself stays with the first piece, but a pin in it holds
-  /// both. The pieces never touch each other.
-  /// Otherwise as `cut`. Throws as `cut` does, CallError also for a cord of less than three rows, and DefinitionError
-  /// for another row.
+  /// ribbon::cut. What is attached to the row itself stays with the first piece, but a pin in it holds both. The pieces
+  /// never touch each other. Otherwise as `cut`. Throws as `cut` does, CallError also for a cord of less than three
+  /// rows, and DefinitionError for another row.
   CutEvent cut_along(int row) const;
-  /// Stores a number of yours, such as an index or a pointer. Coupling::restore does not
-  /// change it, but gives it back to a cord that it adds again.
+  /// Stores a number of yours, such as an index or a pointer. Coupling::restore does not change it, but gives it back
+  /// to a cord that it adds again.
   void set_user_data(std::uintptr_t data) const;
   /// Replaces a cord of the direct solver, and enables it. The id and the user data stay. Bodies that held the old cord
   /// release it, and its reports are reset. What touched the old cord and does not touch the new one gets an end event
@@ -172,7 +172,7 @@ class TieView {
 
   TieId id() const { return id_; }  ///< of the tie
   bool is_valid() const;            ///< the tie exists
-  TieState state() const;           ///< O(1), and O(grips of the cords)
+  TieState state() const;           ///< O(grips of both cords)
 
  private:
   const CouplingParts* parts_;
@@ -188,7 +188,7 @@ class PulleyView {
 
   PulleyId id() const { return id_; }  ///< of the pulley
   bool is_valid() const;               ///< the pulley exists
-  PulleyState state() const;           ///< right between ticks; O(bodies), or O(1) with Coupling::trust_forget
+  PulleyState state() const;           ///< between ticks; O(bodies), O(1) with Coupling::trust_forget
 
  private:
   const CouplingParts* parts_;

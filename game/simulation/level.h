@@ -75,8 +75,7 @@ std::string assets_folder();
 /// engine/scene/scene.h a map has
 /// - one `player`: point, the middle of its feet; mass [kg], by default that of PlayerTuning
 /// - one `player_2` in a level for two: point, likewise; mass; tether (optional: the rope of the direct solver between
-/// the
-///   two, whose first point is within 0.5 m of the middle of player's body, and its last one of that of player_2's)
+///   the two, whose first point is within 0.5 m of the middle of player's body, and its last one of that of player_2's)
 /// - one `goal`, or none in a sandbox: rectangle, at the foot of the flag; the player wins by touching the flag
 /// - `checkpoint`: rectangle; after a fall the player returns to the foot of the last one that it entered
 /// - `hook`: point at which a line can be thrown
