@@ -26,7 +26,8 @@ class Texels {
   /// `repeats` has to be repeats_along_u().
   template <bool repeats>
   std::ptrdiff_t column(std::int64_t x) const {
-    return repeats ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
+    const std::int64_t inside = repeats ? x & (width_ - 1) : std::clamp<std::int64_t>(x, 0, width_ - 1);
+    return static_cast<std::ptrdiff_t>(inside);
   }
   /// Returns the same place of the image, in the image if it repeats; in units of 1/65536 texels.
   std::int64_t wrapped_u(std::int64_t u) const { return repeat_u_ ? u & ((width_ << 16) - 1) : u; }

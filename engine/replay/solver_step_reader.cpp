@@ -186,7 +186,8 @@ SolverStep load_solver_step(const std::string& path) {
     if (bytes > max_bytes) throw SolverStepError(path + ": has more than the 256 MiB accepted");
     in.seekg(0);
     text.resize(static_cast<std::size_t>(std::max(bytes, std::streamoff{0})));
-    if (!in.read(text.data(), bytes)) throw SolverStepError(path + ": cannot be read to its end");
+    if (!in.read(text.data(), static_cast<std::streamsize>(text.size())))
+      throw SolverStepError(path + ": cannot be read to its end");
   } catch (const SolverStepError&) {
     throw;
   } catch (const std::runtime_error& error) {

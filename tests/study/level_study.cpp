@@ -130,7 +130,7 @@ class LevelStudy {
       last_ = {};  // its film is that of the saved run
       return *known;
     }
-    const Measured measured = measure_error(setting, fine, windows);
+    Measured measured = measure_error(setting, fine, windows);
     results_->add(measured);
     return measured;
   }
