@@ -6,7 +6,6 @@
 #include "ribbon/system/cord_parts.h"
 
 namespace ribbon {
-
 namespace {
 
 void check_point(const Cord& cord, int point) { check_range("point", point, 0, cord.size() - 1.0); }

@@ -56,10 +56,10 @@ namespace ribbon::box2d {
 ///
 /// **Destroyed bodies.** The coupling installs no listener. Bodies and fixtures may be created and destroyed between
 /// ticks; the coupling never reads the memory of a destroyed one. Box2D can give its address to a new object. The
-/// coupling notices this, except in two cases: the destroyed object was the newest body of the world or the newest
-/// fixture of its body, or the one created just before it is gone too. Then destroy it with `destroy`, or call `forget`
-/// first; otherwise the new object inherits grip, stored velocity and fixture number. The world must outlive all calls
-/// except the destructor, until another world is gathered.
+/// coupling notices this, except in two cases: nothing that was created after the destroyed object is left, as for the
+/// newest body of the world or the newest fixture of a body; or the one created just before it is gone too. Then
+/// destroy it with `destroy`, or call `forget` first; otherwise the new object inherits grip, stored velocity and
+/// fixture number. The world must outlive all calls except the destructor, until another world is gathered.
 ///
 /// **Errors.** A value out of range throws DefinitionError. A wrong call throws CallError: one for a cord or grip that
 /// does not exist, for a cord of the other solver (unless the function returns a default for it), inside world.Step, or
