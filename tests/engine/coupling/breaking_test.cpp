@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "engine/tick/workers.h"
 #include "ribbon/cord_forces.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/engine/coupling/loaded_rope.h"
+#include "tests/engine/coupling/same_motion.h"
 #include "tests/support/dice.h"
 #include "tests/support/refusal.h"
 
@@ -95,11 +95,7 @@ TEST(ABreakingCord, IsWokenWhenItIsWeakened) {
 
 /// Cords that touch each other and break, with several workers and with error estimates: the same motion.
 TEST(ABreakingCord, HasTheSameBitsWithWorkersAndWithEstimates) {
-  const auto run = [](int workers, bool estimates) {
-    Workers crew(workers);
-    GripWorld scene;
-    scene.coupling.use(crew.parallel_for());
-    scene.coupling.estimate_errors(estimates);
+  const Coupling::State end = expect_same_motion<GripWorld>([](GripWorld& scene) {
     for (int k = 0; k < 6; ++k) {
       CordDef def = hanging(0.03 * k);
       def.radius = 0.02;
@@ -113,12 +109,8 @@ TEST(ABreakingCord, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 20) scene.world.SetGravity({0.0F, -25.0F});
       scene.tick();
     }
-    return state_without_errors(scene);
-  };
-  const Coupling::State alone = run(1, false);
-  EXPECT_GT(alone.next_cord, 6 + 12) << "all were cut, and some broke";
-  EXPECT_EQ(run(3, false), alone);
-  EXPECT_EQ(run(1, true), alone);
+  });
+  EXPECT_GT(end.next_cord, 6 + 12) << "all were cut, and some broke";
 }
 
 TEST(ABreakingCord, OfOneLinkIsDust) {

@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "engine/replay/solver_step.h"
-#include "engine/tick/workers.h"
 #include "ribbon/box2d/state_hash.h"
 #include "ribbon/box2d/step_watcher.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/weather.h"
 #include "tests/engine/coupling/blown_world.h"
 #include "tests/engine/coupling/grip_world.h"
+#include "tests/engine/coupling/same_motion.h"
 #include "tests/support/allocations.h"
 #include "tests/support/dice.h"
 
@@ -160,11 +160,7 @@ TEST(CouplingMedium, BlowsACordAgainstABody) {
 /// Cords in wind that are tied, cut, held and lie on the ground, with several workers and with error estimates: the
 /// same motion.
 TEST(CouplingMedium, HasTheSameBitsWithWorkersAndWithEstimates) {
-  const auto run = [](int workers, bool estimates) {
-    Workers crew(workers);
-    Blown scene;
-    scene.coupling.use(crew.parallel_for());
-    scene.coupling.estimate_errors(estimates);
+  expect_same_motion<Blown>([](Blown& scene) {
     for (int k = 0; k < 8; ++k) {
       CordDef def = feeling(hanging(3.0 * k));
       const CordId rope = scene.coupling.add(Cord(def));
@@ -175,11 +171,7 @@ TEST(CouplingMedium, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 20) scene.coupling.cut({-1.0, -3.0}, {30.0, -3.2});
       scene.tick();
     }
-    return state_without_errors(scene);
-  };
-  const Coupling::State alone = run(1, false);
-  EXPECT_EQ(run(3, false), alone);
-  EXPECT_EQ(run(1, true), alone);
+  });
 }
 
 TEST(CouplingMedium, AllocatesNothingInASteadyTick) {

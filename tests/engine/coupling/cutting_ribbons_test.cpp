@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/tick/workers.h"
 #include "tests/engine/coupling/grip_world.h"
+#include "tests/engine/coupling/same_motion.h"
 #include "tests/support/dice.h"
 #include "tests/support/refusal.h"
 
@@ -353,11 +353,7 @@ TEST(CuttingRibbons, AtRandomKeepsMassAndIdsAndMixesUpNothing) {
 
 /// With several workers and with error estimates: the same motion.
 TEST(CuttingRibbons, HasTheSameBitsWithWorkersAndWithEstimates) {
-  const auto run = [](int workers, bool estimates) {
-    Workers crew(workers);
-    GripWorld scene;
-    scene.coupling.use(crew.parallel_for());
-    scene.coupling.estimate_errors(estimates);
+  const Coupling::State end = expect_same_motion<GripWorld>([](GripWorld& scene) {
     for (int k = 0; k < 3; ++k) {
       CordDef def = hanging_ribbon(0.5 * k, 3 + k);
       def.cord_contact = def.self_contact = true;
@@ -371,12 +367,8 @@ TEST(CuttingRibbons, HasTheSameBitsWithWorkersAndWithEstimates) {
       if (k == 15) scene.world.SetGravity({0.0F, -40.0F});
       scene.tick();
     }
-    return state_without_errors(scene);
-  };
-  const Coupling::State alone = run(1, false);
-  EXPECT_GT(alone.next_cord, 3 + 4) << "two were cut, and some broke";
-  EXPECT_EQ(run(3, false), alone);
-  EXPECT_EQ(run(1, true), alone);
+  });
+  EXPECT_GT(end.next_cord, 3 + 4) << "two were cut, and some broke";
 }
 
 }  // namespace

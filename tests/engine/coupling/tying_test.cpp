@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/tick/workers.h"
 #include "tests/engine/coupling/grip_world.h"
+#include "tests/engine/coupling/same_motion.h"
 #include "tests/support/allocations.h"
 #include "tests/support/net.h"
 #include "tests/support/refusal.h"
@@ -242,27 +242,24 @@ TEST(TyingCords, AStateWithWrongTiesIsRefused) {
   EXPECT_TRUE(says(refused([](auto& state) { state.cords[0].enabled = false; }), "accepted is the id of an enabled"));
 }
 
-TEST(TyingCords, HasTheSameBitsWithWorkersAndEstimatesAndAllocatesNothing) {
-  const auto run = [](int workers, bool estimates) {
-    Workers crew(workers);
-    Rung scene;
-    for (int k = 0; k < 3; ++k) scene.coupling.add(Cord(hanging(10.0 + k)));
-    scene.coupling.tie({3, 50, 4, 50});
-    scene.coupling.use(crew.parallel_for());
-    scene.coupling.estimate_errors(estimates);
-    scene.tick(20);
-    if (workers == 1 && !estimates) {
-      const test_support::AllocationCount count;
-      scene.tick(20);
-      EXPECT_EQ(count.so_far(), 0);
-    } else {
-      scene.tick(20);
-    }
-    return state_without_errors(scene);
-  };
-  const Coupling::State alone = run(1, false);
-  EXPECT_EQ(run(3, false), alone);
-  EXPECT_EQ(run(1, true), alone);
+/// A rung between two ropes, and two ropes that are tied to each other.
+struct RungAndPair : Rung {
+  RungAndPair() {
+    for (int k = 0; k < 3; ++k) coupling.add(Cord(hanging(10.0 + k)));
+    coupling.tie({3, 50, 4, 50});
+  }
+};
+
+TEST(TyingCords, HasTheSameBitsWithWorkersAndWithEstimates) {
+  expect_same_motion<RungAndPair>([](RungAndPair& scene) { scene.tick(40); });
+}
+
+TEST(TyingCords, AllocatesNothingInASteadyTick) {
+  RungAndPair scene;
+  scene.tick(20);
+  const test_support::AllocationCount allocations;
+  scene.tick(20);
+  EXPECT_EQ(allocations.so_far(), 0);
 }
 
 TEST(TyingCords, MakesANetThatHangsAndCatchesABall) {
