@@ -199,10 +199,10 @@ void Coupling::gather(b2World& world, double dt) {
   check_unlocked(world);
   if (parts.phase == TickPhase::stepped) throw CallError("gather follows step; accepted is gather, step, apply");
   check_step(dt, to_double(world.GetGravity()));
-  parts.phase = TickPhase::between_ticks;
+  const bool repeats = std::exchange(parts.phase, TickPhase::between_ticks) == TickPhase::gathered;
   parts.conditions = {to_double(world.GetGravity()), dt, parts.medium, parts.medium_time};
   parts.bodies.clear();
-  parts.fixtures.begin_tick();
+  repeats ? parts.fixtures.repeat_tick() : parts.fixtures.begin_tick();
   parts.enter(world);
   if (!parts.finder.trusts_forget()) parts.grips.forget_gone(parts.finder);
   parts.grips.drop_unable();
@@ -236,6 +236,7 @@ void Coupling::step() {
   }
   parts.phase = TickPhase::between_ticks;  // also if something throws
   parts.cuts.begin_step();
+  parts.carry.begin_step();
   Gatherer::activate_changed(parts.cords);
   parts.sensors.find_events(parts.cords, parts.fixtures, parts.listener);
   step_thesis(parts);

@@ -56,10 +56,11 @@ namespace ribbon::box2d {
 ///
 /// **Destroyed bodies.** The coupling installs no listener. Bodies and fixtures may be created and destroyed between
 /// ticks; the coupling never reads the memory of a destroyed one. Box2D can give its address to a new object. The
-/// coupling notices this, except in two cases: nothing that was created after the destroyed object is left, as for the
-/// newest body of the world or the newest fixture of a body; or the one created just before it is gone too. Then
-/// destroy it with `destroy`, or call `forget` first; otherwise the new object inherits grip, stored velocity and
-/// fixture number. The world must outlive all calls except the destructor, until another world is gathered.
+/// coupling notices this, except in two cases. In the first, nothing that was created after the destroyed object is
+/// left: it was the newest body of the world, or the newest fixture of its body. In the second, the object that was
+/// created just before it is gone too. In these cases destroy it with `destroy`, or call `forget` first; otherwise the
+/// new object inherits grip, stored velocity and fixture number. The world must outlive all calls except the
+/// destructor, until another world is gathered.
 ///
 /// **Errors.** A value out of range throws DefinitionError. A wrong call throws CallError: one for a cord or grip that
 /// does not exist, for a cord of the other solver (unless the function returns a default for it), inside world.Step, or
@@ -81,12 +82,11 @@ class Coupling {
   /// held it release it, and its contacts end in the next step, with events that have its id. Throws CallError for an
   /// unknown cord.
   void remove(CordId cord);
-  /// Makes cuts and breaks of ropes free of memory allocation: reserves memory for `cords` pieces, 0 … 1e6, of ropes
-  /// with up to `points` points, 2 … 1e6, in addition to the cords that there are. A cut uses two, and a piece that is
-  /// cut again two more; call it again to have as many as before. Then neither the cut allocates memory nor the ticks
-  /// after it, unless more things come near each other than before, or a piece forms an island with more cords than
-  /// any had before. Not for ropes with bending stiffness and ribbons: their cuts allocate memory. Costs about
-  /// 0.34 kB a point and 16 kB a cord. Throws DefinitionError for a value out of range.
+  /// Reserves memory for `cords` pieces, 0 … 1e6, of ropes with up to `points` points, 2 … 1e6, so that cuts and breaks
+  /// allocate none. Each cut uses up two pieces; call it again to have as many as before. The ticks after a cut
+  /// allocate nothing either, unless more things come near each other than before, or a piece forms an island with more
+  /// cords than any had before. Cuts of ribbons and of ropes with bending stiffness allocate memory all the same. Costs
+  /// about 0.34 kB a point and 16 kB a cord. Throws DefinitionError for a value out of range.
   void reserve(int cords, int points);
   /// Cuts all enabled cords of the direct solver where they cross the segment between two points [m], as the path of a
   /// blade in a tick; a ribbon is cut across where its middle line does. A ribbon of three or more rows is instead cut
@@ -151,9 +151,9 @@ class Coupling {
   void tick(b2World& world, double dt, int velocity_iterations = 8, int position_iterations = 3);
   /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick, and the
   /// sensors near it. Ignores disabled bodies, dynamic bodies without mass (not their sensors), and bodies whose
-  /// position or velocity is not finite or beyond ±1e9 (m, m/s). A second call replaces the result of the first, for
-  /// measurements, but may change the tick slightly. Throws CallError for a locked world and between step and apply;
-  /// DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
+  /// position or velocity is not finite or beyond ±1e9 (m, m/s). A second call before step replaces the result of the
+  /// first: the tick has the same bits as with one call. Throws CallError for a locked world and between step and
+  /// apply; DefinitionError for a dt outside 1e-9 … 1 and gravity beyond ±1e9 m/s².
   void gather(b2World& world, double dt);
   /// Second part: advances the cords. Cords of the thesis's solver are advanced in the order of adding, and each feels
   /// bodies as the ones before it left them. Do not change the world between gather and apply. Throws CallError without

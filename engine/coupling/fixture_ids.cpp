@@ -15,6 +15,10 @@ void FixtureIds::begin_tick() {
   const bool any_gone = first_gone != known_.end();
   known_.erase(first_gone, known_.end());
   if (any_gone) list_places();
+  repeat_tick();
+}
+
+void FixtureIds::repeat_tick() {
   for (Known& known : known_) known.seen = known.exists = false;
 }
 

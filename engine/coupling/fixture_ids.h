@@ -27,6 +27,8 @@ class FixtureIds {
   void reserve(std::size_t count);
   /// Starts a tick: removes fixtures that were not used since the last call.
   void begin_tick();
+  /// Starts the tick again, as if no fixture had been used since begin_tick.
+  void repeat_tick();
   /// Returns the number of a fixture, or 0 if it has none.
   std::uint64_t of(const b2Fixture& fixture);
   /// Assigns a new number to a fixture without one.

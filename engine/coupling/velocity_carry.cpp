@@ -136,19 +136,18 @@ Vec2 steady_part(const b2Body& body, Vec2 push, Vec2 change) {
   return share > max_impact_share ? std::max(0.0, 1.0 - share) * push : push;
 }
 
-/// Returns the acceleration [m/s²] by which Box2D's contacts and forces have pushed a body in both of the last two
-/// ticks: what supports a standing or leaning body, or a steady force. Without it the cord would let the body fall in
-/// each tick. `velocity` is the momentary one of now, m/s.
-Vec2 expected_acceleration(const b2Body& body, CarryState& state, Vec2 velocity, double dt) {
-  const Vec2 before = state.contact_delta_v;
+/// Returns the push [m/s] of Box2D's contacts and forces in the last tick that may go on. `velocity` is the momentary
+/// one of now, m/s.
+Vec2 steady_contact_delta_v(const b2Body& body, const CarryState& state, Vec2 velocity) {
   const Vec2 change = velocity - external_delta_v(body, state) - state.start_velocity;
-  state.contact_delta_v = steady_part(body, contact_delta_v(body, state), change);
-  state.expected_delta_v = {};
-  if (dot(before, state.contact_delta_v) > 0.0) {
-    const double smaller = std::min(length(before), length(state.contact_delta_v));
-    state.expected_delta_v = (smaller / length(state.contact_delta_v)) * state.contact_delta_v;
-  }
-  return bounded((1.0 / dt) * state.expected_delta_v, max_acceleration);
+  return steady_part(body, contact_delta_v(body, state), change);
+}
+
+/// Returns the push [m/s] that came in both of the last two ticks: what supports a standing or leaning body, or a
+/// steady force. Without it the cord would let the body fall in each tick.
+Vec2 expected_delta_v(Vec2 before, Vec2 last) {
+  if (!(dot(before, last) > 0.0)) return {};
+  return (std::min(length(before), length(last)) / length(last)) * last;
 }
 
 void add_carry(b2Body& body, const CarryState& state) {
@@ -171,9 +170,20 @@ void VelocityCarry::complete(const b2Body& body, RigidBody& rigid, double dt) {
   Entry* const found = entry(body);
   if (found == nullptr) return;
   rigid.velocity += remaining_carry(body, *found);
-  rigid.acceleration += expected_acceleration(body, *found, rigid.velocity, dt);
+  found->next_contact_delta_v = steady_contact_delta_v(body, *found, rigid.velocity);
+  found->next_expected_delta_v = expected_delta_v(found->contact_delta_v, found->next_contact_delta_v);
+  found->completed = true;
+  rigid.acceleration += bounded((1.0 / dt) * found->next_expected_delta_v, max_acceleration);
   rigid.angular_velocity += remaining_angular_carry(body, *found);
   if (length(rigid.position - found->position) <= single_rounding(rigid.position)) rigid.position = found->position;
+}
+
+void VelocityCarry::begin_step() {
+  for (Entry& entry : bodies_) {
+    if (!std::exchange(entry.completed, false)) continue;
+    entry.contact_delta_v = entry.next_contact_delta_v;
+    entry.expected_delta_v = entry.next_expected_delta_v;
+  }
 }
 
 /// With a = g·scale, and d the divisor of the damping, Box2D's velocity in the step is (v + a·dt)/d. So v is set to

@@ -54,8 +54,10 @@ class VelocityCarry {
   /// Returns whether there is a carry for a body that is not this one but had its address.
   bool has_predecessor(const b2Body& body) const;
   /// Completes the solver's view of a body before a step: adds the carry to its velocities, the push that it expects to
-  /// its acceleration, and to its position what single precision rounded off.
+  /// its acceleration, and to its position what single precision rounded off. It may be repeated until begin_step.
   void complete(const b2Body& body, RigidBody& rigid, double dt);
+  /// Begins the step of the bodies that were completed: the pushes that were read then are now those of the last tick.
+  void begin_step();
   /// Makes the next world.Step move a body as the solver did, and stores the carry.
   void drive(b2Body& body, const RigidBody& rigid, const StepConditions& conditions);
   /// Adds the carry to the velocities of a body that the solver no longer moves, and forgets it.
@@ -88,7 +90,10 @@ class VelocityCarry {
   struct Entry : CarryState {
     b2Body* body;
     SeenBody seen;
-    bool left = false;  // not gathered in this tick
+    bool left = false;       // not gathered in this tick
+    bool completed = false;  // since begin_step; then this replaces the members of CarryState there:
+    Vec2 next_contact_delta_v{};
+    Vec2 next_expected_delta_v{};
   };
 
   std::vector<Entry>::const_iterator place(const b2Body& body) const;

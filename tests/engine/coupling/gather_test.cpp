@@ -250,6 +250,34 @@ TEST(Gather, ReportedDestructionsAreTrusted) {
   EXPECT_FALSE(held.coupling.body(*next).held_place());
 }
 
+/// Of everything that a tick can begin with: bodies that hold cords, hit things, appear, move away and are destroyed.
+TEST(Gather, ASecondCallReplacesTheFirst) {
+  std::size_t ends = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    RandomWorld once(seed);
+    RandomWorld twice(seed);
+    for (int tick = 0; tick < 30; ++tick) {
+      if (tick % 3 == 2) {
+        once.disturb();
+        twice.disturb();
+      }
+      twice.coupling.gather(twice.world, dt);
+      once.tick();
+      twice.tick();
+      ASSERT_TRUE(once.coupling.save(once.world) == twice.coupling.save(twice.world))
+          << "seed " << seed << ", tick " << tick;
+      const auto events = once.coupling.last_step().touch_events();
+      const auto repeated = twice.coupling.last_step().touch_events();
+      ASSERT_EQ(events.size(), repeated.size());
+      for (std::size_t k = 0; k < events.size(); ++k) {
+        ASSERT_EQ(events[k].number, repeated[k].number) << "seed " << seed << ", tick " << tick;
+        if (!events[k].begins && events[k].fixture != nullptr) ++ends;
+      }
+    }
+  }
+  EXPECT_GT(ends, 40U) << "or few fixtures were left";
+}
+
 /// A body that is no longer solver-driven continues with its momentary velocity, wherever it is.
 TEST(Gather, ABodyThatIsRemovedGetsItsVelocityCarry) {
   for (const bool trusts : {false, true}) {
