@@ -23,13 +23,14 @@ struct CordParts;
 /// unless more bodies and shapes come near than before. It throws DefinitionError for a value out of range, before
 /// anything has moved.
 ///
-/// What is found from the state of a cord is in free functions: cord_forces.h, cord_sweep.h, smooth_line.h; what cuts
-/// it and lays it around wheels, in cut.h and pulley.h.
+/// More functions of a cord are in other headers: forces (cord_forces.h), bounds of its motion (cord_sweep.h), lines
+/// for drawing (smooth_line.h), cuts (cut.h), wheels that it runs around (pulley.h).
 class Cord {
  public:
   /// Creates a cord at rest. Throws DefinitionError if check(def) does.
   explicit Cord(const CordDef& def);
-  /// Creates a cord of what it consists of, whose type is internal. Its first step by itself allocates memory.
+  /// Creates a cord from its internal parts; for functions of the library, such as `cut`. The first call of `step`
+  /// allocates memory.
   explicit Cord(std::unique_ptr<CordParts> parts);
   Cord(Cord&& other) noexcept;
   Cord& operator=(Cord&& other) noexcept;
@@ -49,7 +50,7 @@ class Cord {
   /// The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ [N/m] and the sum of its
   /// principal stretches |z|. For a force of any cord see tension.
   std::span<const double> tensions() const;
-  /// Returns what determines the motion of a point. This and the next three do not check the index.
+  /// Returns whether a point is free, dragged or pinned. This and the next three do not check the index.
   PointKind kind(int point) const;
   /// Returns the target of a constrained or operated point, m.
   Vec2 target(int point) const;
@@ -119,8 +120,8 @@ class Cord {
 
   /// Reserves memory for steps with up to this many grips; initially for 4.
   void reserve(std::size_t grips);
-  /// Frees the memory for steps by itself, which is most of a rope's: a DirectSolver has its own. The next step by
-  /// itself allocates it again.
+  /// Frees the memory that `step` needs, which is most of a rope's. A cord that a DirectSolver or a coupling steps does
+  /// not need it, because these have their own. The next call of `step` allocates it again.
   void free_solver();
 
   /// Returns the contacts of the last step, ordered by the id of what the cord touched: a circle, an edge, another cord
@@ -185,7 +186,7 @@ class Cord {
   /// Throws DefinitionError unless the state fits this cord's size and terms and all its values are in range.
   void check_state(const State& state) const;
 
-  /// Returns what the cord consists of, for the solver: its type is internal.
+  /// Returns the internal parts of the cord, for the solver.
   CordParts& parts() { return *parts_; }
   const CordParts& parts() const { return *parts_; }  ///< the same, unchangeable
 

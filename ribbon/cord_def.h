@@ -25,12 +25,14 @@ struct Accuracy {
   double tolerance = 5e-4;  ///< m, 1e-12 … 1. A solve ends when a Newton step moves no point further than this
   /// Work budget of a step, 1 … 1,000,000, about this many linear systems. With S > 4 substeps it is multiplied by S/4.
   /// (The unit is 4 units of IslandReport::work for each point and body of the island.) When a step exceeds the budget,
-  /// it keeps the current state, which is finite but not solved, and reports it as unconverged. With a budget of 10,000
-  /// or more, contacts are linearised once only in heaps with soft_contacts; any other step near contacts that does not
-  /// converge is halved repeatedly, which is accurate in any collision but slow.
+  /// it keeps the current state, which is finite but not solved, and reports it as unconverged. The budget also decides
+  /// what happens to a step near contacts that does not converge. With 10,000 or more it is halved repeatedly, which is
+  /// accurate in any collision but slow. With less it is redone with a linear model of its contacts, which is quick but
+  /// less accurate. (Eight or more cords with soft_contacts that lie in a heap always have the linear model.)
   int max_work = 600;
-  /// Makes contacts 20 times softer, which saves two thirds of the solves in a heap: at rest a body penetrates by 1/100
-  /// of the distance that it would fall in one step, instead of 1/2000. All cords of an island must have set it.
+  /// Makes contacts 20 times softer. This saves two thirds of the solves where many cords lie in a heap. At rest a body
+  /// penetrates by 1/100 of the distance that it would fall in one step, instead of 1/2000. It has an effect if all
+  /// cords that are solved together have set it.
   bool soft_contacts = false;
 
   /// For scenery: implicit Euler with a tolerance of 1 cm and soft contacts. Eight or more such cords that touch each
@@ -46,7 +48,8 @@ struct Accuracy {
 
 /// The elements of a ribbon, which is a cord with two or more rows.
 enum class Elements : unsigned char {
-  cells,  ///< co-rotated incompatible-mode quadrilaterals; bending stiffness is independent of stretch stiffness
+  cells,  ///< quadrilaterals between the points (co-rotated finite elements with incompatible modes); the bending
+          ///< stiffness does not depend on the stretch stiffness
   bars,   ///< the elements of the thesis: a bar from each point to each of its up to eight neighbours
 };
 
@@ -65,9 +68,9 @@ struct CordDef {
   /// EI [N·m²]: moment per unit of curvature, 0 … 1e18, independent of EA. A ribbon of cells with three or more rows
   /// needs a value above 0 and at most EA·width²/12, the stiffness of a solid strip; see `solid`.
   double bending_stiffness = 0.0;
-  /// The part of EA that the cells of a ribbon of two rows have [N], 1e-12·EA … EA; bars along its middle line have the
-  /// rest. 0, the default, means all of EA. It sets how a ribbon resists shear. A cut along a row sets it for pieces of
-  /// two rows, so that their cells stay as they were.
+  /// Of a ribbon of two rows: the part of EA that its cells provide [N], 1e-12·EA … EA. Bars along the middle line
+  /// provide the rest. The smaller it is, the less the ribbon resists shear. 0, the default, means all of EA. A cut
+  /// along a row sets it for pieces of two rows, so that their cells stay as they were.
   double cell_stiffness = 0.0;
   double poisson_ratio = 0.0;  ///< of cells, −0.9 … 0.9: lateral contraction when stretched
   /// Resistance of cells to collapse and inversion, 0 … 1e3, as a multiple of their modulus. It acts on corners that
@@ -86,9 +89,9 @@ struct CordDef {
   /// m², 0 … 1e12: cross-section that displaces a Medium, which gives buoyancy; π·radius² for a solid round rope.
   double displaced_area = 0.0;
   bool tension_only = false;  ///< of a rope: links resist tension but not compression
-  /// N, above 0: tension above which a link breaks; of a ribbon, which breaks across, see Cord::tension. Infinity, the
-  /// default, makes it unbreakable. The cord only reports an overloaded link (overloaded_link); a coupling cuts
-  /// it there.
+  /// N, above 0: tension (Cord::tension) above which a link breaks; a ribbon breaks across. Infinity, the default,
+  /// makes the cord unbreakable. The cord itself only reports an overloaded link (overloaded_link); a coupling cuts it
+  /// there.
   double breaking_force = std::numeric_limits<double>::infinity();
   double friction = 0.0;      ///< coefficient μ, 0 … 10; two surfaces combine to √(μ₁·μ₂), as in Box2D
   double restitution = 0.0;   ///< coefficient, 0 … 1; two surfaces combine to the larger one, as in Box2D
@@ -112,7 +115,7 @@ struct CordDef {
 
 /// Throws DefinitionError for the first field that is out of range or contradicts another field.
 void check(const CordDef& def);
-/// Returns whether a Medium acts on such a cord: whether it declares drag_across, drag_along or displaced_area.
+/// Returns whether a Medium acts on a cord with this definition: it declares drag_across, drag_along or displaced_area.
 bool feels_medium(const CordDef& def);
 /// Checks an accuracy in the same way.
 void check(const Accuracy& accuracy);

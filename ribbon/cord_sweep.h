@@ -2,7 +2,7 @@
 
 #include "ribbon/box.h"
 
-// What finds the neighbours of many cords, as a coupling does, reads of each.
+// Bounds of the motion of a cord. A search for the neighbours of many cords, such as that of a coupling, reads them.
 
 namespace ribbon {
 
@@ -23,8 +23,8 @@ bool remembers_sweep(const Cord& cord);
 /// Returns whether the cord collides with other cords: with those that declare cord_contact as it does, and, with
 /// self_contact, with other pieces of the cord that it was cut from.
 bool meets_cords(const Cord& cord);
-/// Starts to fetch from memory what these functions, Cord::def and Cord::pulleys read. A loop over many cords calls it
-/// for one of the next ones. It changes nothing but the speed.
+/// Starts to load into the cache what these functions, Cord::def and Cord::pulleys read. Call it in a loop over many
+/// cords, for a cord some turns ahead. It changes nothing but the speed.
 void fetch(const Cord& cord);
 
 }  // namespace ribbon

@@ -5,12 +5,14 @@
 
 #include "ribbon/cord.h"
 
+// Cuts of a cord into two. With a coupling, CordRef::cut does all of this.
+
 namespace ribbon {
 
-/// Where a cord is cut: across at a column, or a ribbon along a row from its first column to its last one. The points
-/// of this column or row become two, each with the mass of its own side; so a cut halves the mass of a rope's point and
-/// moves nothing. What is attached to the cord goes to its side of the place. The sides are numbered from 0, at the
-/// first column or row.
+/// Where a cord is cut: across at a column, or a ribbon along a row from its first column to its last one. Each point
+/// of this column or row becomes two points, with the mass of their own sides. So a cut halves the mass of a rope's
+/// point and moves nothing. What is attached to the cord goes to the side that it is on. Side 0 has the first column or
+/// row, side 1 the last one. A side of less than two columns is dust: it does not become a piece.
 struct CutPlace {
   int column = 0;  ///< of the points that are doubled, 0 … columns − 1; −1 for a broken cord of one link, all dust
   double place = 0.0;  ///< columns from the first one
@@ -35,7 +37,7 @@ CutPlace cut_through(const Cord& cord, int link);
 /// which has no row of points between two rows of cells, and DefinitionError for a row that is not 1 … rows − 2.
 CutPlace cut_along(const Cord& cord, int row);
 
-/// The pieces of a cord. One of less than two columns is dust and does not exist.
+/// The pieces of a cord. One that would be dust does not exist.
 struct CutPieces {
   std::optional<Cord> first;   ///< side 0
   std::optional<Cord> second;  ///< side 1
@@ -74,15 +76,16 @@ struct CutNeighbour {
   std::uint64_t pieces[2] = {};  ///< ids of its pieces; of dust, that of the other piece; 0 if all is dust
 };
 
-/// Tells the pieces of a cord by which ids they are known. They collide with each other if the cord has self_contact,
-/// but not where they were joined, because the ends lie in each other: parts that were neighbours in the cord, nearer
-/// than three radii at rest, never touch. Pieces of a cord that was cut along a row, whose whole edges lie in each
-/// other, never touch at all. A body that holds one piece touches none of them.
+/// Tells the pieces of a cord their ids, so that they know each other. They collide with each other if the cord has
+/// self_contact, but not at the cut, where their ends overlap: parts that were nearer than three radii in the cord at
+/// rest never touch. Pieces of a cord that was cut along a row never touch at all, because their whole edges overlap. A
+/// body that holds one piece touches none of them.
 void join_pieces(CutPieces& pieces, const CutNeighbour& cord);
 
-/// Makes contacts of a cord with a rope that was cut contacts with its pieces, and ends those with a ribbon, which are
-/// found anew. Wakes the cord if it has any. The same for an end that was joined to it by an earlier cut. Call it also
-/// for the pieces, of a cord that touched itself.
+/// Updates a cord whose neighbour was cut. Its contacts with a rope become contacts with the pieces of the rope. Its
+/// contacts with a ribbon end; the next step finds them anew. If an earlier cut separated it from the neighbour, it now
+/// knows the piece that it was joined to. Wakes the cord if it had a contact. Call it also for the pieces of a cord
+/// that touched itself.
 void follow_cut(Cord& cord, const CutNeighbour& neighbour);
 
 }  // namespace ribbon

@@ -10,7 +10,7 @@ class Cord;
 struct MediumSample {
   Vec2 velocity;         ///< m/s, within ±1e6 in each component
   double density = 0.0;  ///< kg/m³, 0 … 1e6
-  /// kg/m⁴, of the density. It steadies what floats in a steep gradient, and may be left at zero.
+  /// kg/m⁴, gradient of the density. It steadies what floats where the density changes steeply. Zero is accepted.
   Vec2 density_gradient{};
 };
 

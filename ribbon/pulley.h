@@ -17,7 +17,7 @@ struct PulleyDef {
   Vec2 center{};                 ///< m, of the wheel
   double radius = 0.1;           ///< m, of the groove to the middle of the cord, 1e-6 … 1e6
   bool counterclockwise = true;  ///< the cord, from its first to its last point, runs counterclockwise around the wheel
-  int turns = 0;   ///< whole turns that the cord is wound around the wheel, beside the last part of one, 0 … 100
+  int turns = 0;   ///< whole turns of the cord around the wheel, 0 … 100; the arc that is less than a turn is extra
   int before = 0;  ///< index of the last point before the wheel; see reeve
   int after = 1;   ///< index of the first point behind it
   double inertia = 0.0;  ///< kg·m², moment of inertia of the wheel about its axle, 0 … 1e12
@@ -74,12 +74,12 @@ struct ReevedCord {
 /// neighbouring wheels and one between a wheel and an end.
 ReevedCord reeve(Vec2 first, std::span<const PulleyDef> wheels, Vec2 last, int points);
 
-/// Lays a cord around a wheel, which each step then has an axle for (Surroundings::axles). The points between `before`
-/// and `after` are placed on the wheel. Returns its index: pulleys are ordered along the cord. Throws DefinitionError
-/// for a value out of range, or unless the cord runs past the wheel there with a length that differs from the
-/// definition's by less than a tenth of the part between these points. Throws CallError for a ribbon, for a cord with
-/// bending stiffness, and where a point is fixed or on another wheel. Such a cord does not sleep, and the part on a
-/// wheel is not stretched and touches nothing.
+/// Lays a cord around a wheel. Each step then needs an axle for the wheel (Surroundings::axles). The points between
+/// `before` and `after` are placed on the wheel. Returns the index of the pulley: pulleys are ordered along the cord. A
+/// cord with a pulley does not sleep. Its part on the wheel is not stretched and touches nothing. Throws
+/// DefinitionError for a value out of range. Throws it too unless the points `before` and `after` are where the cord
+/// runs past the wheel: the length around the wheel may differ from the rest length between them by a tenth of that.
+/// Throws CallError for a ribbon, for a cord with bending stiffness, and where a point is fixed or on another wheel.
 int add_pulley(Cord& cord, const PulleyDef& def);
 /// Takes the cord off a wheel. Throws DefinitionError for an unknown pulley.
 void remove_pulley(Cord& cord, int pulley);

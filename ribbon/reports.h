@@ -5,8 +5,8 @@
 namespace ribbon {
 
 /// Statistics of one step of an island: of cords that were solved together, or of a single cord. They are summed over
-/// its substeps. Counts from `searches` to `unlocked` are of what the solver needed beyond full Newton steps;
-/// `unconverged` counts what it did not solve.
+/// its substeps. If the counts from `searches` to `unlocked` are 0, full Newton steps were enough. `unconverged` counts
+/// what was not solved.
 struct IslandReport {
   int stages = 0;        ///< implicit solves: two per substep of TR-BDF2, one per substep of implicit Euler
   int iterations = 0;    ///< Newton steps, each of which solves one linear system in O(points)

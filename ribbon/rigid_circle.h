@@ -23,7 +23,7 @@ struct RigidBody {
   Vec2 acceleration;              ///< m/s², of free motion, usually gravity
   Vec2 impulse;                   ///< N·s, sum of the impulses from cords
   double angular_impulse = 0.0;   ///< N·m·s, sum of the angular impulses about the centre of mass
-  Vec2 moved;                     ///< m, displacement in the step of the cord that it holds; undefined for other bodies
+  Vec2 moved;                     ///< m, displacement in the step, of a body that holds a cord; undefined for others
   double turned = 0.0;            ///< rad, rotation in the same step
   bool solved = false;            ///< the direct solver has solved its motion with a cord
   // For dynamic bodies near cords that are allowed to sleep:
@@ -69,8 +69,10 @@ struct Grip {
   double climb = 0.0;  ///< columns, displacement of the grip along the cord during the step, at constant velocity
   /// N, force along the cord above which the grip slips.
   double strength = std::numeric_limits<double>::infinity();
-  bool returns = false;  ///< the anchor was pushed off its place; that the cord draws it back is not work from outside
-  /// Unit vector, in which a grip that slips is held, for an anchor that slips round a point; zero: across its link.
+  bool returns =
+      false;  ///< the anchor was pushed off the cord and is drawn back; this does not count as work of a drive
+  /// Direction in which a slipping grip is held, a unit vector, while its anchor passes a point of the cord. Zero, the
+  /// default, means perpendicular to the link.
   Vec2 across{};
 };
 

@@ -16,9 +16,9 @@ struct Touch {
   double impulse = 0.0;     ///< N·s, normal impulse in the last step
   Vec2 point;               ///< m, contact point
   Vec2 normal;  ///< unit vector, from the cord's link to the other feature, or from the other link to the cord's point
-  /// N·s, whole impulse of the cord on the other one in the last step, with friction and restitution; zero unless
-  /// IslandCord::records_pushes is set for a cord that was solved together with it. What restitution alone has stopped
-  /// has no other impulse and no force.
+  /// N·s, whole impulse of the cord on the other one in the last step, with friction and restitution. It is zero unless
+  /// IslandCord::records_pushes is set for a cord that was solved together with it. A contact that only restitution has
+  /// stopped has this impulse alone: its `impulse` and `force` are 0.
   Vec2 push{};
 
   bool operator==(const Touch&) const = default;

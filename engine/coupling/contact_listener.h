@@ -17,8 +17,8 @@ struct Surface {
   double tangent_speed = 0.0;
 };
 
-/// Interface by which a game decides about contacts of cords and hears about them; see Coupling::listen. In its
-/// functions, change neither the world nor the cords.
+/// Interface by which a game decides which contacts of cords there are, and receives their impulses and events; see
+/// Coupling::listen. In its functions, change neither the world nor the cords.
 class ContactListener {
  public:
   ContactListener() = default;

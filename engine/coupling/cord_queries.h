@@ -33,9 +33,9 @@ struct RayHit {
 /// Finds cords along a ray, in a shape or near a place. A rope is its links with their thickness; a ribbon is its
 /// outline. Call update after each tick in which you ask: the queries refer to the positions at that time.
 ///
-/// The results do not depend on earlier updates; of equal ones the first cord and point count. A query takes O(log n)
-/// for n links, and none allocates memory; update takes O(n), and allocates if cords were added, removed or changed in
-/// size.
+/// The results do not depend on earlier updates. Of several equal results, the one of the first cord and point is
+/// returned. A query takes O(log n) for n links and allocates no memory. An update takes O(n), and allocates if cords
+/// were added, removed or changed in size.
 class CordQueries {
  public:
   CordQueries();
@@ -46,8 +46,8 @@ class CordQueries {
   /// Reads the positions of all enabled cords.
   void update(const Coupling& coupling);
 
-  /// Returns where the ray between two points [m] first meets a cord. If both are the same, whether that point is in a
-  /// cord. Throws DefinitionError for a coordinate beyond ±1e9.
+  /// Returns where the ray between two points [m] first meets a cord, or nothing. If both points are the same, a hit
+  /// means that the point is in a cord. Throws DefinitionError for a coordinate beyond ±1e9.
   std::optional<RayHit> ray_cast(Vec2 from, Vec2 to, const QueryFilter& filter = {}) const;
   /// Returns the nearest place on a cord within `reach` [m, 0 … 1e9] of `position` [m]; its distance is that to the
   /// middle line of a rope. Throws likewise.

@@ -96,7 +96,7 @@ struct CarryState {
   bool operator==(const CarryState&) const = default;
 };
 
-/// What a cord of the direct solver was added with. By it, Coupling::restore adds a cord that is gone.
+/// What a cord of the direct solver was added with. Coupling::restore uses it to add a cord that is gone again.
 struct CordOrigin {
   std::shared_ptr<const CordDef> def;  ///< its definition; null for the thesis's solver
   b2Filter filter;                     ///< its filter
@@ -191,11 +191,11 @@ struct CouplingState {
   std::vector<Fixture> fixtures;             ///< by number
   std::uint64_t next_fixture = 1;            ///< number of the next fixture
   std::vector<Event> events;                 ///< of the last tick, by cord and fixture
-  std::vector<EndingTouch> ending;           ///< by cord and fixture
+  std::vector<EndingTouch> ending;           ///< contacts of cords that are gone, by cord and fixture
   std::vector<CutEvent> cuts;                ///< see StepView::cut_events
   std::size_t old_cuts = 0;                  ///< how many of them are of the last tick
   std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
-  std::vector<SensorMemory> ending_sensors;  ///< by cord and fixture
+  std::vector<SensorMemory> ending_sensors;  ///< overlaps of cords that are gone, by cord and fixture
   double medium_time = 0.0;                  ///< s, see Coupling::medium_time
 
   bool operator==(const CouplingState&) const = default;

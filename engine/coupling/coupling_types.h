@@ -14,8 +14,8 @@
 
 namespace ribbon::box2d {
 
-/// Id of a cord in its coupling: 0, 1, 2 … in the order of adding. Ids are never reused,
-/// except that Coupling::restore goes back to the next id of the state.
+/// Id of a cord in its coupling: 0, 1, 2 … in the order of adding. Ids are never reused, except that Coupling::restore
+/// goes back to the next id of the state.
 using CordId = int;
 
 /// The two solvers.
@@ -42,7 +42,7 @@ struct CordPoint {
   double along = 0.0;     ///< position between this point and the one in the next column, 0 … below 1
 };
 
-/// Id of a grip in its coupling: 1, 2, 3 … Ids are never reused, with the same exception.
+/// Id of a grip in its coupling: 1, 2, 3 … Ids are never reused, except as those of cords.
 using GripId = int;
 
 /// Defines how a body holds a cord.
@@ -64,16 +64,16 @@ struct GripState {
   CordId cord = 0;   ///< the cord
   double arc = 0.0;  ///< m of rest length from the first point
   Vec2 place;        ///< m, position on the cord
-  /// N, force of the cord on the body in the last tick; 0 if a pin holds the same point of the cord, after restore
-  /// until the next tick if the body is not dynamic, and for a cord of the thesis's solver. Static and kinematic bodies
-  /// that hold the same point share the force equally.
+  /// N, force of the cord on the body in the last tick. Static and kinematic bodies that hold the same point share the
+  /// force equally. It is 0 if a pin holds the point too, and for a cord of the thesis's solver. Of a body that is not
+  /// dynamic it is 0 after restore, until the next tick.
   Vec2 pull;
   bool slips = false;  ///< the grip slipped in the last tick
   int point = 0;       ///< index of the point that it holds, or of the one before its place
   double along = 0.0;  ///< position between this point and the one in the next column, 0 … below 1
 };
 
-/// Id of a tie in its coupling: 1, 2, 3 … Ids are never reused, with the same exception.
+/// Id of a tie in its coupling: 1, 2, 3 … Ids are never reused, except as those of cords.
 using TieId = int;
 
 /// Defines a tie: a point of a cord and one of another cord, which move as one.
@@ -89,24 +89,24 @@ struct TieDef {
 
 /// State of a tie.
 struct TieState {
-  CordId cord = 0;        ///< the first cord; after a cut its piece
+  CordId cord = 0;        ///< the first cord; after a cut, the piece with the point
   int point = 0;          ///< index of its point
   CordId other_cord = 0;  ///< the other cord
   int other_point = 0;    ///< index of its point
   Vec2 place;             ///< m, position of the first cord's point
-  double gap = 0.0;       ///< m, distance of the other one, until points that were tied while apart have met
+  double gap = 0.0;       ///< m, distance of the two points: 0, unless they were tied while apart and have not met yet
   /// N, force of the other cord on the first one in the last tick, without contacts at the points. It is 0 if both
-  /// points are pinned or held by bodies too. If more cords are tied there, it is that of the other cord on all. It is
-  /// right again after restore from the next tick on.
+  /// points are pinned or held by bodies too. If the point has other ties, it is the force of the other cord on all
+  /// cords that are tied there. After restore it is right from the next tick on.
   Vec2 pull;
 };
 
-/// Id of a pulley in its coupling: 1, 2, 3 … Ids are never reused, with the same exception.
+/// Id of a pulley in its coupling: 1, 2, 3 … Ids are never reused, except as those of cords.
 using PulleyId = int;
 
 /// State of a pulley.
 struct PulleyState {
-  CordId cord = 0;       ///< the cord; after a cut its piece
+  CordId cord = 0;       ///< the cord; after a cut, the piece that runs around the wheel
   Vec2 center;           ///< m, of the wheel
   double angle = 0.0;    ///< rad, by which the wheel has turned in the frame of its body's centre, counterclockwise
   double turning = 0.0;  ///< rad/s, of the wheel

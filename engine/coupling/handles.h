@@ -49,13 +49,15 @@ class CordView {
   /// Returns the rest length from the first column to that place, m; 0 for the thesis's solver. Throws likewise.
   double arc(int point, double along = 0.0) const;
   bool is_enabled() const;                         ///< initially true
-  const b2Filter& filter() const;                  ///< of add or replace
+  const b2Filter& filter() const;                  ///< the filter that Coupling::add or replace set
   std::uintptr_t user_data() const;                ///< initially 0
   std::span<const FixtureTouch> touching() const;  ///< contacts in the last step, by fixture number; direct solver only
   /// Returns the numbers of the sensors that the cord overlapped in the last step, ascending; see
   /// StepView::sensor_events and Coupling::fixture.
   std::span<const std::uint64_t> sensors() const;
-  std::span<const NearShape> near() const;  ///< not sensors; valid until the next gather or a fixture's destruction
+  /// Returns the fixtures, but not the sensors, that the last gather found near the cord. Valid until the next gather,
+  /// or the destruction of one of the fixtures.
+  std::span<const NearShape> near() const;
   /// Returns the number of circles and edges that the cord could have touched in the last tick.
   int near_count() const;
   /// Returns the box [m] in which the last gather searched for fixtures; empty if the cord was disabled.
@@ -69,8 +71,8 @@ class CordView {
   const IslandReport& island_report() const;
   /// Returns the sum of these reports since the cord was added.
   const IslandReport& island_total() const;
-  /// Returns the estimated error that the last tick alone added to a point, at most [m]: its time integration error for
-  /// exact initial values. 0 if errors are not estimated.
+  /// Returns the estimated error [m] that the last tick alone added: the largest one of a point. It is the time
+  /// integration error of a tick that begins with exact values. 0 if errors are not estimated.
   double error() const;
   // Of cords of the thesis's solver; default values for the others:
   const StepReport& thesis_report() const;  ///< of the last step
@@ -171,8 +173,8 @@ class TieView {
   TieView(const CouplingParts& parts, TieId id) : parts_(&parts), id_(id) {}
 
   TieId id() const { return id_; }  ///< of the tie
-  bool is_valid() const;            ///< the tie exists
-  TieState state() const;           ///< O(grips of both cords)
+  bool is_valid() const;            ///< whether the tie exists
+  TieState state() const;           ///< its state; O(grips of both cords)
 
  private:
   const CouplingParts* parts_;
@@ -187,8 +189,8 @@ class PulleyView {
   PulleyView(const CouplingParts& parts, PulleyId id) : parts_(&parts), id_(id) {}
 
   PulleyId id() const { return id_; }  ///< of the pulley
-  bool is_valid() const;               ///< the pulley exists
-  PulleyState state() const;           ///< between ticks; O(bodies), O(1) with Coupling::trust_forget
+  bool is_valid() const;               ///< whether the pulley exists
+  PulleyState state() const;           ///< its state between ticks; O(bodies), O(1) with Coupling::trust_forget
 
  private:
   const CouplingParts* parts_;
