@@ -19,7 +19,7 @@ ribbon::box2d::CouplingState expect_same_motion(const Play& play) {
     play(scene);
     return state_without_errors(scene);
   };
-  const ribbon::box2d::CouplingState alone = state_after(1, false);
+  ribbon::box2d::CouplingState alone = state_after(1, false);
   EXPECT_TRUE(state_after(3, false) == alone) << "with three workers";
   EXPECT_TRUE(state_after(1, true) == alone) << "with estimates of errors";
   return alone;
