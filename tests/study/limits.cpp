@@ -136,6 +136,7 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   };
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].failure.empty() || points[k].not_compared || !std::isfinite(points[k].error_m)) continue;
+    if (limits.max_error_m && spends_budget(study.settings[k])) continue;
     const double usage = usage_of(study.settings[k], points[k], limits, calibration);
     if (usage <= 1.0) {
       if (!choice.setting || is_better(k, *choice.setting)) choice.setting = k;
@@ -146,6 +147,10 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   }
   if (choice.setting) choice.nearest.reset();
   return choice;
+}
+
+Setting recommended_for(const Limits& limits, const Setting& chosen) {
+  return limits.max_error_m ? with_ample_work(chosen) : chosen;
 }
 
 std::string in_words(const Limits& limits) {
@@ -161,15 +166,15 @@ std::string in_words(const Limits& limits) {
   return words;
 }
 
-std::string in_words(const Study& study, std::size_t setting, const Calibration& calibration) {
-  const Measured& m = study.settings[setting];
+std::string in_words(const Study& study, std::size_t chosen, const Calibration& calibration, const Limits& limits) {
+  const Measured& m = study.settings[chosen];
   const WorkFigures work = largest_work(m);
-  std::string words = name_of(m.setting) + ": " + fixed(m.cost_us, 2) + " us per tick";
+  std::string words = name_of(recommended_for(limits, m.setting)) + ": " + fixed(m.cost_us, 2) + " us per tick";
   if (std::isfinite(work.most)) {
     words += ", 99 % of the ticks within " + significant(calibration.us(work.p99), 3) + " us, the greatest tick " +
              significant(calibration.us(work.most), 3) + " us (" + significant(work.most, 6) + " units of work)";
   }
-  return words + ", error " + significant(applicable(study)[setting].error_m, 3) + " m" + source_in_words(m);
+  return words + ", error " + significant(applicable(study)[chosen].error_m, 3) + " m" + source_in_words(m);
 }
 
 }  // namespace study

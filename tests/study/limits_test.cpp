@@ -80,14 +80,15 @@ TEST(Limits, WhatNothingMeetsNamesTheNearest) {
   EXPECT_EQ(*choice.nearest, 2U);
   EXPECT_NEAR(choice.excess, 1e-3 / (0.8 * 5e-4), 1e-12);
   EXPECT_EQ(in_words(limits), "an error of 0.0005 m and a greatest tick of 800 units of work");
-  EXPECT_NE(in_words(study, 2, calibrate(study)).find("the greatest tick 105 us (1000 units of work), error 0.001 m"),
-            std::string::npos);
+  EXPECT_NE(
+      in_words(study, 2, calibrate(study), {}).find("the greatest tick 105 us (1000 units of work), error 0.001 m"),
+      std::string::npos);
 }
 
 TEST(Limits, TheErrorIsThatOfSomething) {
   Study study = three();
   Measured& m = study.settings[2];
-  const auto words = [&] { return in_words(study, 2, calibrate(study)); };
+  const auto words = [&] { return in_words(study, 2, calibrate(study), {}); };
   m.windows.body_m = 2e-3;
   EXPECT_NE(words().find("error 0.002 m (of a body, in a quarter of a second)"), std::string::npos) << words();
   m.error.player_m = 3e-3;
@@ -123,10 +124,36 @@ TEST(Limits, AnotherPlayerNeedsItsWork) {
   EXPECT_EQ(choice({.most_work = 3000.0}), 1U);
   EXPECT_EQ(choice({.most_work = 4000.0}), 2U);
   study.settings[2].others.error_m = 5e-3;
-  const std::string words = in_words(study, 2, calibration);
+  const std::string words = in_words(study, 2, calibration, {});
   EXPECT_NE(words.find("greatest tick 305 us (3000 units of work), error 0.005 m (with another player)"),
             std::string::npos)
       << words;
+}
+
+/// A tick that spends its budget may be off by any length with the next player.
+TEST(Limits, WhatSpendsItsBudgetOfWorkIsNotChosenForAnError) {
+  for (int where = 0; where < 3; ++where) {
+    Study study = three();
+    Measured& cheapest = study.settings[0];
+    if (where == 0) cheapest.work.posed = 1;
+    if (where == 1) cheapest.windows.spends_budget = true;
+    if (where == 2) cheapest.others.spends_budget = true;
+    EXPECT_EQ(choose(study, {.max_error_m = 1e-2}, calibrate(study)).setting, 1U) << where;
+    EXPECT_EQ(choose(study, {.median_us = 20.0}, calibrate(study)).setting, 0U) << where;
+  }
+}
+
+TEST(Limits, WhatIsRecommendedForAnErrorHasAnAmpleBudgetOfWork) {
+  const Setting chosen{"direct", "tr_bdf2", 4, 1e-4};
+  EXPECT_EQ(recommended_for({.max_error_m = 1e-2}, chosen).max_work, ample_work);
+  EXPECT_EQ(recommended_for({.most_us = 500.0}, chosen), chosen);
+  EXPECT_EQ(recommended_for({.max_error_m = 1e-2}, present()), present());
+  Setting large = chosen;
+  large.max_work = 50'000;
+  EXPECT_EQ(recommended_for({.max_error_m = 1e-2}, large), large);
+  Study study = three();
+  const std::string words = in_words(study, 0, calibrate(study), {.max_error_m = 1e-2});
+  EXPECT_NE(words.find(" max_work=20000: "), std::string::npos) << words;
 }
 
 TEST(Limits, FailuresAndOtherMeshesAreNotChosen) {

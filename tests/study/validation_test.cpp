@@ -120,7 +120,7 @@ TEST(Validation, TheCheapestSettingHasTheLeastWork) {
     m.cost_us = is_euler ? 50.0 : 5.0;
   };
   const std::vector<PromiseRow> rows = rows_of(1, first, original, {.max_error_m = 1e-2});
-  EXPECT_EQ(rows.at(0).setting, "implicit_euler substeps=1 tolerance=0.01");
+  EXPECT_EQ(rows.at(0).setting, "implicit_euler substeps=1 tolerance=0.01 max_work=20000");
 }
 
 /// At 0.1 us a unit of work.
@@ -201,7 +201,18 @@ TEST(Validation, SettingsAreChosenWithSeveralPlayers) {
   validate_recommendations(
       levels, options, [&](const auto& some, double) { rows = some; }, measure);
   EXPECT_EQ(others, (std::vector<std::size_t>{3, 0}));
-  EXPECT_EQ(rows.at(0).setting, "tr_bdf2 substeps=4 tolerance=0.0001");
+  EXPECT_EQ(rows.at(0).setting, "tr_bdf2 substeps=4 tolerance=0.0001 max_work=20000");
+}
+
+/// As it is recommended: for an error with ample_work, for a cost as it was measured.
+TEST(Validation, ASettingIsTestedAsItIsRecommended) {
+  std::vector<std::string> tested;
+  const auto again = [&tested](int, Measured& m) { tested.push_back(name_of(m.setting)); };
+  const std::vector<PromiseRow> rows = rows_of(1, original, again);
+  const std::string name = "implicit_euler substeps=1 tolerance=0.01";
+  EXPECT_EQ(tested, (std::vector{name + " max_work=20000", name}));
+  EXPECT_EQ(rows.at(0).setting, name + " max_work=20000");
+  EXPECT_EQ(rows.at(1).setting, name);
 }
 
 TEST(Validation, TheRowsOfShardsAreThoseOfTheWhole) {
