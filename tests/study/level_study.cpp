@@ -311,6 +311,7 @@ class LevelStudy {
     for (std::size_t k = 0; k < settings.size(); ++k) {
       const bool shows = is_box2d(settings[k].setting);
       settings[k].cost_us = shows ? timings[k].share_us : timings[k].median_us;
+      settings[k].least_us = timings[k].least_us;
       settings[k].p99_us = shows ? timings[k].share_p99_us : timings[k].p99_us;
       settings[k].most_us = timings[k].worst_us;
     }

@@ -41,6 +41,24 @@ double correlation_of(const std::vector<double>& a, const std::vector<double>& b
   return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 1.0;
 }
 
+/// Returns the means of samples whose work differs by at most 1 %: such settings take the same steps, or nearly so, and
+/// only the noise of the clock orders them.
+std::vector<Sample> without_ties(std::span<const Sample> samples) {
+  constexpr double equal = 1.01;
+  std::vector<Sample> sorted(samples.begin(), samples.end());
+  std::sort(sorted.begin(), sorted.end(), [](const Sample& a, const Sample& b) { return a.work < b.work; });
+  auto end = sorted.begin();  // of the means
+  for (auto first = sorted.begin(), last = first; first != sorted.end(); first = last) {
+    last = std::find_if(first, sorted.end(), [least = first->work](const Sample& s) { return s.work > equal * least; });
+    const auto count = static_cast<double>(last - first);
+    Sample mean;
+    for (auto s = first; s != last; ++s) mean = {mean.work + s->work / count, mean.us + s->us / count};
+    *end++ = mean;
+  }
+  sorted.erase(end, sorted.end());
+  return sorted;
+}
+
 /// Weighted sums of a line's normal equations.
 struct Sums {
   double w = 0.0, wx = 0.0, wy = 0.0, wxx = 0.0, wxy = 0.0;
@@ -108,14 +126,14 @@ Calibration calibrate(std::span<const Sample> samples) {
   Calibration fit;
   if (samples.empty()) return fit;
   Sums sums;
+  for (const Sample& sample : samples) sums.add(sample);
+  fit_line(fit, sums);
   std::vector<double> work;
   std::vector<double> us;
-  for (const Sample& sample : samples) {
-    sums.add(sample);
+  for (const Sample& sample : without_ties(samples)) {
     work.push_back(sample.work);
     us.push_back(sample.us);
   }
-  fit_line(fit, sums);
   fit.rank_correlation = correlation_of(ranks_of(work), ranks_of(us));
   return fit;
 }
@@ -123,7 +141,7 @@ Calibration calibrate(std::span<const Sample> samples) {
 Calibration calibrate(const Study& study) {
   std::vector<Sample> samples;
   for (const Measured& m : study.settings) {
-    if (m.cost_us > 0.0 && std::isfinite(m.tick_work.mean)) samples.push_back({m.tick_work.mean, m.cost_us});
+    if (m.least_us > 0.0 && std::isfinite(m.tick_work.mean)) samples.push_back({m.tick_work.mean, m.least_us});
   }
   return calibrate(samples);
 }

@@ -29,7 +29,7 @@ struct Limits {
 struct Calibration {
   double base_us = 0.0;           ///< of a tick without cords
   double us_per_work = 0.0;       ///< per unit of IslandReport::work
-  double rank_correlation = 1.0;  ///< of time and work over the measured settings, Spearman's
+  double rank_correlation = 1.0;  ///< of time and work, Spearman's; samples of equal work (±1 %) count as one
 
   double us(double work) const { return base_us + us_per_work * work; }
 };
@@ -42,7 +42,8 @@ struct Sample {
 
 /// Fits the samples, of equal relative errors, with a base and a slope of at least 0. Without samples all is 0.
 Calibration calibrate(std::span<const Sample> samples);
-/// The same for the medians of a study's settings of the direct solver.
+/// The same for a study's settings of the direct solver: mean work and mean time of the ticks, of the repeat that took
+/// the least.
 Calibration calibrate(const Study& study);
 
 /// The choice among the settings of a study.

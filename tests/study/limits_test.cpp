@@ -11,7 +11,7 @@ Measured setting(int substeps, double error_m, double us, WorkFigures work) {
   Measured m;
   m.setting.substeps = substeps;
   m.error.position_m = error_m;
-  m.cost_us = us;
+  m.cost_us = m.least_us = us;
   m.tick_work = work;
   return m;
 }
@@ -37,6 +37,21 @@ TEST(Limits, ACalibrationTurnsWorkIntoTime) {
   const std::array<Sample, 1> one = {{{10.0, 5.0}}};
   EXPECT_NEAR(calibrate(one).us_per_work, 0.5, 1e-12);
   EXPECT_EQ(calibrate(std::span<const Sample>()).us_per_work, 0.0);
+}
+
+/// Settings that take the same steps differ only by the noise of the clock.
+TEST(Limits, SettingsOfEqualWorkCountAsOneInTheRankCorrelation) {
+  const std::array<Sample, 5> equal = {
+      {{1000.0, 30.0}, {1009.0, 10.0}, {2000.0, 25.0}, {3000.0, 40.0}, {3001.0, 35.0}}};
+  EXPECT_NEAR(calibrate(equal).rank_correlation, 1.0, 1e-12);
+  const std::array<Sample, 4> apart = {{{1000.0, 30.0}, {1020.0, 10.0}, {2000.0, 25.0}, {3000.0, 40.0}}};
+  EXPECT_NEAR(calibrate(apart).rank_correlation, 0.4, 1e-12);
+}
+
+TEST(Limits, TheFitIsThatOfTheLeastDisturbedRepeats) {
+  Study study = three();
+  for (Measured& m : study.settings) m.cost_us *= 3.0;
+  EXPECT_NEAR(calibrate(study).us(9000.0), 905.0, 1e-6);
 }
 
 TEST(Limits, AnErrorLimitChoosesTheCheapestWithinTheBudgets) {

@@ -22,7 +22,7 @@ Measured measured_of(const Setting& setting) {
   Measured m;
   m.setting = setting;
   m.error.position_m = found_at * 1e-2;
-  m.cost_us = found_at * 100.0;
+  m.cost_us = m.least_us = found_at * 100.0;
   m.tick_work = {1000.0, 2000.0, 3000.0};
   return m;
 }
@@ -126,7 +126,7 @@ TEST(Validation, TheCheapestSettingHasTheLeastWork) {
 /// At 0.1 us a unit of work.
 TEST(Validation, ThePercentileIsThatOfCountedWork) {
   const auto again = [](int k, Measured& m) { m.tick_work.p99 = k == 0 ? 2990.0 : 3010.0; };
-  const auto first = [](int, Measured& m) { m.cost_us = 100.0; };
+  const auto first = [](int, Measured& m) { m.cost_us = m.least_us = 100.0; };
   const std::vector<PromiseRow> rows = rows_of(2, first, again, {.p99_us = 300.0});
   EXPECT_NEAR(rows.at(0).value, 299.0, 1e-6);
   EXPECT_TRUE(rows[0].is_met);
