@@ -31,6 +31,9 @@ class PlotError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Makes a folder that a report can be written into. Throws std::runtime_error if it cannot be: before minutes of work.
+void require_folder(const std::string& folder);
+
 /// Writes points.csv, points.json, index.html and a plot of the points' error, drawn by gnuplot (front.gp, front.svg),
 /// into a folder, which it creates. Throws std::runtime_error if the folder cannot be written, and PlotError, with
 /// everything else written, if gnuplot fails.
