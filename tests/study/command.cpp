@@ -89,7 +89,7 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   if (study.by_cord) std::printf("by cord: %s\n", in_words(*study.by_cord, file).c_str());
   if (command.by_cord && !study.by_cord) std::puts("by cord: nothing is cheaper than the setting above");
   if (command.apply) {
-    file.apply(study.by_cord ? study.by_cord->settings : recommended_for(limits, m.setting));
+    file.apply(study.by_cord ? study.by_cord->settings : recommended_for(limits, m));
     std::printf("written to %s; its recordings must be made again\n", file.path().c_str());
   }
   return true;

@@ -121,7 +121,9 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   EXPECT_LT(study.references[0].agreement_m, 0.1 * four);
   for (const Measured& m : study.settings) {
     EXPECT_GT(m.least_us, 0.0);
-    if (m.setting.solver == "direct") EXPECT_GE(m.cost_us, m.least_us);
+    if (m.setting.solver == "direct") {
+      EXPECT_GE(m.cost_us, m.least_us);
+    }
     EXPECT_GE(m.point().error_m, m.resolution_m);
   }
 }

@@ -120,6 +120,10 @@ std::string source_in_words(const Measured& m) {
   return greatest == nullptr ? "" : greatest->words;
 }
 
+std::string time_in_words(double us) {
+  return us < 1000.0 ? significant(us, 3) + " us" : significant(1e-3 * us, 3) + " ms";
+}
+
 }  // namespace
 
 Calibration calibrate(std::span<const Sample> samples) {
@@ -150,11 +154,13 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   const std::vector<Point> points = applicable(study);
   Choice choice;
   const auto is_better = [&](std::size_t a, std::size_t b) {
-    return limits.max_error_m ? points[a].cost_us < points[b].cost_us : points[a].error_m < points[b].error_m;
+    if (!limits.max_error_m) return points[a].error_m < points[b].error_m;
+    const bool a_spends = spends_budget(study.settings[a]);
+    if (a_spends != spends_budget(study.settings[b])) return !a_spends;
+    return points[a].cost_us < points[b].cost_us;
   };
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].failure.empty() || points[k].not_compared || !std::isfinite(points[k].error_m)) continue;
-    if (limits.max_error_m && spends_budget(study.settings[k])) continue;
     const double usage = usage_of(study.settings[k], points[k], limits, calibration);
     if (usage <= 1.0) {
       if (!choice.setting || is_better(k, *choice.setting)) choice.setting = k;
@@ -167,8 +173,8 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   return choice;
 }
 
-Setting recommended_for(const Limits& limits, const Setting& chosen) {
-  return limits.max_error_m ? with_ample_work(chosen) : chosen;
+Setting recommended_for(const Limits& limits, const Measured& chosen) {
+  return limits.max_error_m && !spends_budget(chosen) ? with_ample_work(chosen.setting) : chosen.setting;
 }
 
 std::string in_words(const Limits& limits) {
@@ -187,10 +193,10 @@ std::string in_words(const Limits& limits) {
 std::string in_words(const Study& study, std::size_t chosen, const Calibration& calibration, const Limits& limits) {
   const Measured& m = study.settings[chosen];
   const WorkFigures work = largest_work(m);
-  std::string words = name_of(recommended_for(limits, m.setting)) + ": " + fixed(m.cost_us, 2) + " us per tick";
+  std::string words = name_of(recommended_for(limits, m)) + ": " + fixed(m.cost_us, 2) + " us per tick";
   if (std::isfinite(work.most)) {
-    words += ", 99 % of the ticks within " + significant(calibration.us(work.p99), 3) + " us, the greatest tick " +
-             significant(calibration.us(work.most), 3) + " us (" + significant(work.most, 6) + " units of work)";
+    words += ", 99 % of the ticks within " + time_in_words(calibration.us(work.p99)) + ", the greatest tick " +
+             time_in_words(calibration.us(work.most)) + " (" + significant(work.most, 6) + " units of work)";
   }
   return words + ", error " + significant(applicable(study)[chosen].error_m, 3) + " m" + source_in_words(m);
 }

@@ -53,13 +53,14 @@ struct Choice {
   double excess = 0.0;                 ///< the nearest one's value relative to the usable part of its worst limit
 };
 
-/// Chooses among the level's own cords (see applicable): with max_error_m the cheapest setting of those that never
-/// spend their budget of work, else the most exact one.
+/// Chooses among the level's own cords (see applicable): with max_error_m the cheapest setting, one that spends its
+/// budget of work only if no other one meets the limits; else the most exact one.
 Choice choose(const Study& study, const Limits& limits, const Calibration& calibration);
 
 /// Returns what is recommended for the limits where a setting is chosen: with max_error_m with ample_work, because
-/// other players may press cords together more than those of the study.
-Setting recommended_for(const Limits& limits, const Setting& chosen);
+/// other players may press cords together more than those of the study. One that spends its budget is recommended as it
+/// is.
+Setting recommended_for(const Limits& limits, const Measured& chosen);
 
 /// Returns the limits in words: "an error of 0.01 m and a greatest tick of 300 us".
 std::string in_words(const Limits& limits);

@@ -110,7 +110,7 @@ class PromiseTrial {
         chosen.emplace_back();
         continue;
       }
-      const Setting& setting = chosen_on.settings[*choice.setting].setting;
+      const Measured& setting = chosen_on.settings[*choice.setting];
       chosen.emplace_back(index_in(retested, recommended_for(promise.limits, setting)));
     }
     const Inputs other_input = random_inputs_with_cords(varied.level(), seed_ + 1, options_->ticks);
