@@ -170,6 +170,7 @@ void mark_crossings(Crossings& crossings, const b2World& world, const ribbon::bo
     for (const ribbon::box2d::CordId b : coupling.cords()) {
       if (b >= a) break;
       if (!may_declare(coupling, b, &ribbon::CordDef::cord_contact)) continue;
+      if (coupling.cord(a).solver() != coupling.cord(b).solver()) continue;  // these never touch
       if (crossings_beside_ties(world, coupling, lines, a, b) == 0) continue;
       mark(crossings, a, through_cord);
       mark(crossings, b, through_cord);

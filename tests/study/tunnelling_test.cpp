@@ -145,6 +145,26 @@ TEST(Tunnelling, ExcludesWhatIsNearATie) {
   }
 }
 
+/// Cords of the thesis touch each other, but none of the direct solver.
+TEST(Tunnelling, ExcludesCordsOfDifferentSolvers) {
+  ribbon::ThesisDef across;
+  across.w = 5;
+  across.h = 2;
+  for (int i = 0; i < across.w; ++i) {
+    for (const double x : {0.7, 0.8}) across.positions.push_back({x, 0.5 - 0.3 * i});
+  }
+  ribbon::ThesisDef along = across;
+  for (Vec2& p : along.positions) p = {p.y + 0.8, p.x - 0.75};
+  for (const bool both : {false, true}) {
+    test_support::CoupledWorld world({}, {});
+    world.coupling.add(ribbon::ThesisCord(across));
+    ribbon::CordDef rope = weightless_rope();
+    rope.cord_contact = true;
+    both ? world.coupling.add(ribbon::ThesisCord(along)) : world.add(rope);
+    EXPECT_EQ(TunnellingDetector().detect(world.world, world.coupling, {})[0] & through_cord, both ? through_cord : 0);
+  }
+}
+
 /// Returns the crossings of two cords without any event in 100 ticks.
 std::vector<Crossings> nothing() { return std::vector<Crossings>(100, Crossings(2, 0)); }
 
