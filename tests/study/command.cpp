@@ -70,13 +70,13 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
     std::printf("no setting of the grid meets %s with the margin of a recommendation\n", in_words(limits).c_str());
     if (choice.nearest) {
       std::printf("nearest: %s; that is %s times what a recommendation may use\n",
-                  in_words(study, *choice.nearest, calibration).c_str(), significant(choice.excess, 3).c_str());
+                  in_words(study, *choice.nearest, calibration, limits).c_str(), significant(choice.excess, 3).c_str());
     }
     return false;
   }
   const Measured& m = study.settings[*choice.setting];
   const WorkFigures work = largest_work(m);
-  std::printf("recommended: %s", in_words(study, *choice.setting, calibration).c_str());
+  std::printf("recommended: %s", in_words(study, *choice.setting, calibration, limits).c_str());
   const auto add = [](const char* limit, const std::optional<double>& most, double value) {
     if (most) std::printf(", %.0f %% below the limit of %s", 100.0 * (1.0 - value / *most), limit);
   };
@@ -89,7 +89,7 @@ bool recommend(const Command& command, const LevelFile& file, const Study& study
   if (study.by_cord) std::printf("by cord: %s\n", in_words(*study.by_cord, file).c_str());
   if (command.by_cord && !study.by_cord) std::puts("by cord: nothing is cheaper than the setting above");
   if (command.apply) {
-    file.apply(study.by_cord ? study.by_cord->settings : m.setting);
+    file.apply(study.by_cord ? study.by_cord->settings : recommended_for(limits, m));
     std::printf("written to %s; its recordings must be made again\n", file.path().c_str());
   }
   return true;

@@ -27,7 +27,7 @@ CordBound bound_of(const Study& study, double max_error_m, std::size_t cords) {
   CordBound bound;
   for (const std::size_t k : by_work(study, points)) {
     const Measured& m = study.settings[k];
-    if (is_present(m.setting)) continue;
+    if (is_present(m.setting) || m.setting.max_work == ample_work) continue;
     if (std::isnan(bound.least_work)) bound.least_work = m.tick_work.mean;
     if (points[k].error_m > max_error_m) continue;
     bound.common = name_of(m.setting);
@@ -43,7 +43,9 @@ std::optional<CordSearch> search_of(const Study& study, double max_error_m, std:
   constexpr double least_gain = 1.2;
   const std::vector<Point> points = applicable(study);
   std::vector<std::size_t> order = by_work(study, points);
-  std::erase_if(order, [&study](std::size_t k) { return is_present(study.settings[k].setting); });
+  std::erase_if(order, [&study](std::size_t k) {
+    return is_present(study.settings[k].setting) || study.settings[k].setting.max_work == ample_work;
+  });
   const auto work = [&study](std::size_t k) { return study.settings[k].tick_work.mean; };
   const auto common =
       std::find_if(order.begin(), order.end(), [&](std::size_t k) { return points[k].error_m <= max_error_m; });

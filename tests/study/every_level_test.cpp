@@ -24,6 +24,7 @@ StudyOptions two_settings() {
   options.quick = true;
   options.repeats = 1;
   options.grid = {present(), {"direct", "implicit_euler", 1, 5e-4}, {"direct", "tr_bdf2", 4, 1e-4}};
+  options.ample_budgets = false;
   return options;
 }
 

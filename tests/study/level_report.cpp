@@ -122,8 +122,10 @@ void add_notes(Report& report, const Study& study, const LevelFile& file) {
   add_chaotic_notes(report, study);
   report.notes.emplace_back(
       "posed: ticks in which the cords' budget of work (max_work) did not suffice, so that they were redone as one "
-      "linearised step, whatever the number of substeps. Where this column is not 0, more substeps need a larger "
-      "max_work to be more accurate. The converged runs have a budget of a million.");
+      "linearised step, whatever the number of substeps. Such a setting is measured again with max_work=20000, and "
+      "recommended for an error only if no other one is within it. Else what is recommended for an error has that "
+      "budget: it changes nothing where the default one suffices."
+      " The converged runs have a budget of a million.");
   for (const std::string& left_out : study.left_out) report.notes.push_back("Left out: " + left_out + ".");
   for (std::string& note : notes_on_baselines(study)) report.notes.push_back(std::move(note));
 }
@@ -221,12 +223,15 @@ void add_advice(Report& report, const Study& study, const LevelFile& file, const
   const Choice choice = choose(study, limits, calibration);
   if (choice.setting) {
     report.headline =
-        "Recommended for " + in_words(limits) + ": " + in_words(study, *choice.setting, calibration) + ".";
+        "Recommended for " + in_words(limits) + ": " + in_words(study, *choice.setting, calibration, limits) + ".";
     report.recommended = choice.setting;
+    const Measured& chosen = study.settings[*choice.setting];
+    if (recommended_for(limits, chosen) != chosen.setting)
+      report.recommended_with = "max_work=" + std::to_string(ample_work);
     if (study.by_cord) report.headline += " By cord, cheaper: " + in_words(*study.by_cord, file) + ".";
   } else if (choice.nearest) {
     report.headline = "No setting meets " + in_words(limits) + " with the margin of a recommendation; the nearest is " +
-                      in_words(study, *choice.nearest, calibration) + ".";
+                      in_words(study, *choice.nearest, calibration, limits) + ".";
   } else {
     report.headline = "No setting counts: each one failed or was not compared.";
   }

@@ -101,16 +101,24 @@ class LevelStudy {
     study.agreement = windows.agreement();
     study.compared_cords = windows.compared_cords();
     study.compared_players = windows.compared_players();
-    for (const Setting& setting : grid_.settings) {
+    std::vector<Setting> settings = grid_.settings;
+    for (std::size_t k = 0; k < settings.size(); ++k) {
       if (stopped()) return study;
+      const Setting setting = settings[k];
       study.settings.push_back(measured_error(setting, fine, windows));
       if (options_->films) study.films.push_back(film_of(setting, study.stage));
+      if (needs_ample_work(study.settings.back())) settings.push_back(with_ample_work(setting));
       progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);
     if (study.complete && options_->by_cord_error_m) find_by_cord(study, windows);
     study.complete = study.complete && !stopped();
     return study;
+  }
+
+  bool needs_ample_work(const Measured& measured) const {
+    return options_->ample_budgets && mesh_of(measured.setting) == Mesh{} && spends_budget(measured) &&
+           with_ample_work(measured.setting) != measured.setting;
   }
 
   /// The run of the finest mesh; empty if no setting has another mesh than the level's own.
@@ -303,6 +311,7 @@ class LevelStudy {
     for (std::size_t k = 0; k < settings.size(); ++k) {
       const bool shows = is_box2d(settings[k].setting);
       settings[k].cost_us = shows ? timings[k].share_us : timings[k].median_us;
+      settings[k].least_us = timings[k].least_us;
       settings[k].p99_us = shows ? timings[k].share_p99_us : timings[k].p99_us;
       settings[k].most_us = timings[k].worst_us;
     }

@@ -35,6 +35,7 @@ struct WithOthers {
   double error_m = unavailable;  ///< of time and solver: from the start and in windows, not below its resolution
   WorkFigures work;              ///< of each figure the largest
   std::string failure{};         ///< why the setting does not count; empty if it counts
+  bool spends_budget = false;    ///< with some player a tick spent its budget of work
 };
 
 /// The measurement of a setting of the grid.
@@ -52,7 +53,8 @@ struct Measured {
   int contacts = 0;
   int unconverged_ticks = 0;
   std::string failure;
-  double cost_us = 0.0;
+  double cost_us = 0.0;   ///< mean of the ticks, median of the repeats
+  double least_us = 0.0;  ///< mean of the ticks, with their rest, least of the repeats
   double p99_us = 0.0;
   double most_us = 0.0;  ///< the most expensive tick; of each tick the median over the repeats
 
@@ -86,10 +88,11 @@ struct Study {
 struct StudyOptions {
   bool quick = false;
   int repeats = 9;
-  std::vector<Setting> grid;                       ///< settings to measure in place of those by `quick`, without meshes
-  bool films = false;                              ///< make films of the settings
-  std::size_t windows = 0;                         ///< number of windows, at most; 0: by `quick`
-  std::vector<Inputs> others{};                    ///< other players: a setting must do with each of them
+  std::vector<Setting> grid;     ///< settings to measure in place of those by `quick`, without meshes
+  bool ample_budgets = true;     ///< measure a setting that spends its budget again, with ample_work, after all others
+  bool films = false;            ///< make films of the settings
+  std::size_t windows = 0;       ///< number of windows, at most; 0: by `quick`
+  std::vector<Inputs> others{};  ///< other players: a setting must do with each of them
   std::optional<double> by_cord_error_m{};         ///< m; find settings by cord for that error, too
   std::string folder;                              ///< for saved results; empty: none
   std::function<bool()> stopped;                   ///< called between runs
@@ -107,6 +110,9 @@ Study measure(const LevelFile& file, const std::vector<engine::TickInput>& input
 
 /// Returns the largest figures of a setting: of the recording, and with other players.
 WorkFigures largest_work(const Measured& measured);
+
+/// Returns whether a tick of a setting spent its budget of work: of the recording, in a window, or with another player.
+bool spends_budget(const Measured& measured);
 
 /// Returns the accuracy in windows; none: each cord's own.
 std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting);

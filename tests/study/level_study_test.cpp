@@ -120,7 +120,10 @@ TEST_F(LevelStudy, MoreSubstepsAndLessToleranceAreMoreExact) {
   EXPECT_NEAR(std::log(euler / euler_four) / std::log(4.0), 1.0, 0.2);
   EXPECT_LT(study.references[0].agreement_m, 0.1 * four);
   for (const Measured& m : study.settings) {
-    EXPECT_GT(m.cost_us, 0.0);
+    EXPECT_GT(m.least_us, 0.0);
+    if (m.setting.solver == "direct") {
+      EXPECT_GE(m.cost_us, m.least_us);
+    }
     EXPECT_GE(m.point().error_m, m.resolution_m);
   }
 }
@@ -189,11 +192,35 @@ TEST(WorkFigures, AreThoseOfTheTicks) {
   const std::array<std::int64_t, 5> ticks = {1, 2, 3, 4, 90};
   const WorkFigures figures = figures_of(ticks);
   EXPECT_EQ(figures.mean, 20.0);
+  EXPECT_EQ(figures.p99, 4.0);
   EXPECT_EQ(figures.most, 90.0);
+  EXPECT_TRUE(std::isnan(figures_of({}).mean));
+}
+
+/// A cord falls on the ground, with a budget of one unit of work.
+TEST_F(LevelStudy, WhatSpendsItsBudgetIsMeasuredAgainWithAnAmpleOne) {
+  leave_a_loose_cord();
+  change_level(level_path, [](Json& cord) {
+    cord["properties"].push_back({{"name", "max_work"}, {"type", "int"}, {"value", 1}});
+  });
+  StudyOptions some = options();
+  some.folder.clear();
+  some.grid = {present(), {"direct", "tr_bdf2", 4, 1e-4}};
+  const std::vector<engine::TickInput> inputs(30);
+  const Study study = measure(LevelFile(level_path), inputs, some);
+  ASSERT_EQ(study.settings.size(), 3U);  // the present one stays as it is
+  EXPECT_TRUE(spends_budget(study.settings[1]));
+  EXPECT_EQ(study.settings[2].setting, with_ample_work(some.grid[1]));
+  EXPECT_FALSE(spends_budget(study.settings[2]));
+  some.ample_budgets = false;
+  EXPECT_EQ(measure(LevelFile(level_path), inputs, some).settings.size(), 2U);
 }
 
 TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   Measured measured;
+  measured.setting.max_work = ample_work;
+  measured.windows.spends_budget = true;
+  measured.others.spends_budget = true;
   measured.error = {1.0, 2.0, 3.0, 4.0, unavailable, 6.0, 7.0, 8.0};
   measured.mesh = {11.0, 12.0, 13.0, 14.0, 15.0, 16.0, unavailable, 18.0};
   measured.chaotic.values = {21.0, 22.0, unavailable, 24.0, 25.0, 26.0};
@@ -207,12 +234,17 @@ TEST_F(LevelStudy, ASettingIsSavedWithAllItsNumbers) {
   measured.failure = "31 ticks not converged";
   Results(home + "/saved", 1, replay_path, false).add(measured);
   const Results again(home + "/saved", 1, replay_path, false);
-  ASSERT_NE(again.find({}), nullptr);
-  expect_the_same(*again.find({}), measured);
-  EXPECT_EQ(again.find({})->tick_work.most, 43.0);
-  EXPECT_EQ(again.find({})->others.work.most, 53.0);
-  EXPECT_EQ(Results(home + "/saved", 1, replay_path, true).find({}), nullptr);  // another grid's reference
-  EXPECT_EQ(Results(home + "/saved", 2, replay_path, false).find({}), nullptr);
+  EXPECT_EQ(again.find({}), nullptr);  // it has another budget
+  const Measured* saved = again.find(measured.setting);
+  ASSERT_NE(saved, nullptr);
+  expect_the_same(*saved, measured);
+  EXPECT_EQ(saved->tick_work.most, 43.0);
+  EXPECT_EQ(saved->others.work.most, 53.0);
+  EXPECT_TRUE(saved->windows.spends_budget);
+  EXPECT_TRUE(saved->others.spends_budget);
+  EXPECT_EQ(Results(home + "/saved", 1, replay_path, true).find(measured.setting),
+            nullptr);  // another grid's reference
+  EXPECT_EQ(Results(home + "/saved", 2, replay_path, false).find(measured.setting), nullptr);
 }
 
 /// A folder may have the runs of several levels.

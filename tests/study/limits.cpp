@@ -41,6 +41,24 @@ double correlation_of(const std::vector<double>& a, const std::vector<double>& b
   return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 1.0;
 }
 
+/// Returns the means of samples whose work differs by at most 1 %: such settings take the same steps, or nearly so, and
+/// only the noise of the clock orders them.
+std::vector<Sample> without_ties(std::span<const Sample> samples) {
+  constexpr double equal = 1.01;
+  std::vector<Sample> sorted(samples.begin(), samples.end());
+  std::sort(sorted.begin(), sorted.end(), [](const Sample& a, const Sample& b) { return a.work < b.work; });
+  auto end = sorted.begin();  // of the means
+  for (auto first = sorted.begin(), last = first; first != sorted.end(); first = last) {
+    last = std::find_if(first, sorted.end(), [least = first->work](const Sample& s) { return s.work > equal * least; });
+    const auto count = static_cast<double>(last - first);
+    Sample mean;
+    for (auto s = first; s != last; ++s) mean = {mean.work + s->work / count, mean.us + s->us / count};
+    *end++ = mean;
+  }
+  sorted.erase(end, sorted.end());
+  return sorted;
+}
+
 /// Weighted sums of a line's normal equations.
 struct Sums {
   double w = 0.0, wx = 0.0, wy = 0.0, wxx = 0.0, wxy = 0.0;
@@ -102,20 +120,24 @@ std::string source_in_words(const Measured& m) {
   return greatest == nullptr ? "" : greatest->words;
 }
 
+std::string time_in_words(double us) {
+  return us < 1000.0 ? significant(us, 3) + " us" : significant(1e-3 * us, 3) + " ms";
+}
+
 }  // namespace
 
 Calibration calibrate(std::span<const Sample> samples) {
   Calibration fit;
   if (samples.empty()) return fit;
   Sums sums;
+  for (const Sample& sample : samples) sums.add(sample);
+  fit_line(fit, sums);
   std::vector<double> work;
   std::vector<double> us;
-  for (const Sample& sample : samples) {
-    sums.add(sample);
+  for (const Sample& sample : without_ties(samples)) {
     work.push_back(sample.work);
     us.push_back(sample.us);
   }
-  fit_line(fit, sums);
   fit.rank_correlation = correlation_of(ranks_of(work), ranks_of(us));
   return fit;
 }
@@ -123,7 +145,7 @@ Calibration calibrate(std::span<const Sample> samples) {
 Calibration calibrate(const Study& study) {
   std::vector<Sample> samples;
   for (const Measured& m : study.settings) {
-    if (m.cost_us > 0.0 && std::isfinite(m.tick_work.mean)) samples.push_back({m.tick_work.mean, m.cost_us});
+    if (m.least_us > 0.0 && std::isfinite(m.tick_work.mean)) samples.push_back({m.tick_work.mean, m.least_us});
   }
   return calibrate(samples);
 }
@@ -132,7 +154,10 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   const std::vector<Point> points = applicable(study);
   Choice choice;
   const auto is_better = [&](std::size_t a, std::size_t b) {
-    return limits.max_error_m ? points[a].cost_us < points[b].cost_us : points[a].error_m < points[b].error_m;
+    if (!limits.max_error_m) return points[a].error_m < points[b].error_m;
+    const bool a_spends = spends_budget(study.settings[a]);
+    if (a_spends != spends_budget(study.settings[b])) return !a_spends;
+    return points[a].cost_us < points[b].cost_us;
   };
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].failure.empty() || points[k].not_compared || !std::isfinite(points[k].error_m)) continue;
@@ -148,6 +173,10 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   return choice;
 }
 
+Setting recommended_for(const Limits& limits, const Measured& chosen) {
+  return limits.max_error_m && !spends_budget(chosen) ? with_ample_work(chosen.setting) : chosen.setting;
+}
+
 std::string in_words(const Limits& limits) {
   std::string words;
   const auto add = [&words](const std::string& what, const std::optional<double>& limit, const std::string& unit) {
@@ -161,15 +190,15 @@ std::string in_words(const Limits& limits) {
   return words;
 }
 
-std::string in_words(const Study& study, std::size_t setting, const Calibration& calibration) {
-  const Measured& m = study.settings[setting];
+std::string in_words(const Study& study, std::size_t chosen, const Calibration& calibration, const Limits& limits) {
+  const Measured& m = study.settings[chosen];
   const WorkFigures work = largest_work(m);
-  std::string words = name_of(m.setting) + ": " + fixed(m.cost_us, 2) + " us per tick";
+  std::string words = name_of(recommended_for(limits, m)) + ": " + fixed(m.cost_us, 2) + " us per tick";
   if (std::isfinite(work.most)) {
-    words += ", 99 % of the ticks within " + significant(calibration.us(work.p99), 3) + " us, the greatest tick " +
-             significant(calibration.us(work.most), 3) + " us (" + significant(work.most, 6) + " units of work)";
+    words += ", 99 % of the ticks within " + time_in_words(calibration.us(work.p99)) + ", the greatest tick " +
+             time_in_words(calibration.us(work.most)) + " (" + significant(work.most, 6) + " units of work)";
   }
-  return words + ", error " + significant(applicable(study)[setting].error_m, 3) + " m" + source_in_words(m);
+  return words + ", error " + significant(applicable(study)[chosen].error_m, 3) + " m" + source_in_words(m);
 }
 
 }  // namespace study

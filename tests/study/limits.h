@@ -29,7 +29,7 @@ struct Limits {
 struct Calibration {
   double base_us = 0.0;           ///< of a tick without cords
   double us_per_work = 0.0;       ///< per unit of IslandReport::work
-  double rank_correlation = 1.0;  ///< of time and work over the measured settings, Spearman's
+  double rank_correlation = 1.0;  ///< of time and work, Spearman's; samples of equal work (±1 %) count as one
 
   double us(double work) const { return base_us + us_per_work * work; }
 };
@@ -42,7 +42,8 @@ struct Sample {
 
 /// Fits the samples, of equal relative errors, with a base and a slope of at least 0. Without samples all is 0.
 Calibration calibrate(std::span<const Sample> samples);
-/// The same for the medians of a study's settings of the direct solver.
+/// The same for a study's settings of the direct solver: mean work and mean time of the ticks, of the repeat that took
+/// the least.
 Calibration calibrate(const Study& study);
 
 /// The choice among the settings of a study.
@@ -52,14 +53,19 @@ struct Choice {
   double excess = 0.0;                 ///< the nearest one's value relative to the usable part of its worst limit
 };
 
-/// Chooses among the level's own cords (see applicable): with max_error_m the cheapest setting, else the most exact
-/// one.
+/// Chooses among the level's own cords (see applicable): with max_error_m the cheapest setting, one that spends its
+/// budget of work only if no other one meets the limits; else the most exact one.
 Choice choose(const Study& study, const Limits& limits, const Calibration& calibration);
+
+/// Returns what is recommended for the limits where a setting is chosen: with max_error_m with ample_work, because
+/// other players may press cords together more than those of the study. One that spends its budget is recommended as it
+/// is.
+Setting recommended_for(const Limits& limits, const Measured& chosen);
 
 /// Returns the limits in words: "an error of 0.01 m and a greatest tick of 300 us".
 std::string in_words(const Limits& limits);
 
-/// Returns a setting with its costs and its error in words.
-std::string in_words(const Study& study, std::size_t setting, const Calibration& calibration);
+/// Returns what is recommended for the limits where a setting is chosen, with its costs and its error in words.
+std::string in_words(const Study& study, std::size_t chosen, const Calibration& calibration, const Limits& limits);
 
 }  // namespace study

@@ -11,7 +11,7 @@ Measured setting(int substeps, double error_m, double us, WorkFigures work) {
   Measured m;
   m.setting.substeps = substeps;
   m.error.position_m = error_m;
-  m.cost_us = us;
+  m.cost_us = m.least_us = us;
   m.tick_work = work;
   return m;
 }
@@ -37,6 +37,21 @@ TEST(Limits, ACalibrationTurnsWorkIntoTime) {
   const std::array<Sample, 1> one = {{{10.0, 5.0}}};
   EXPECT_NEAR(calibrate(one).us_per_work, 0.5, 1e-12);
   EXPECT_EQ(calibrate(std::span<const Sample>()).us_per_work, 0.0);
+}
+
+/// Settings that take the same steps differ only by the noise of the clock.
+TEST(Limits, SettingsOfEqualWorkCountAsOneInTheRankCorrelation) {
+  const std::array<Sample, 5> equal = {
+      {{1000.0, 30.0}, {1009.0, 10.0}, {2000.0, 25.0}, {3000.0, 40.0}, {3001.0, 35.0}}};
+  EXPECT_NEAR(calibrate(equal).rank_correlation, 1.0, 1e-12);
+  const std::array<Sample, 4> apart = {{{1000.0, 30.0}, {1020.0, 10.0}, {2000.0, 25.0}, {3000.0, 40.0}}};
+  EXPECT_NEAR(calibrate(apart).rank_correlation, 0.4, 1e-12);
+}
+
+TEST(Limits, TheFitIsThatOfTheLeastDisturbedRepeats) {
+  Study study = three();
+  for (Measured& m : study.settings) m.cost_us *= 3.0;
+  EXPECT_NEAR(calibrate(study).us(9000.0), 905.0, 1e-6);
 }
 
 TEST(Limits, AnErrorLimitChoosesTheCheapestWithinTheBudgets) {
@@ -80,14 +95,15 @@ TEST(Limits, WhatNothingMeetsNamesTheNearest) {
   EXPECT_EQ(*choice.nearest, 2U);
   EXPECT_NEAR(choice.excess, 1e-3 / (0.8 * 5e-4), 1e-12);
   EXPECT_EQ(in_words(limits), "an error of 0.0005 m and a greatest tick of 800 units of work");
-  EXPECT_NE(in_words(study, 2, calibrate(study)).find("the greatest tick 105 us (1000 units of work), error 0.001 m"),
-            std::string::npos);
+  EXPECT_NE(
+      in_words(study, 2, calibrate(study), {}).find("the greatest tick 105 us (1000 units of work), error 0.001 m"),
+      std::string::npos);
 }
 
 TEST(Limits, TheErrorIsThatOfSomething) {
   Study study = three();
   Measured& m = study.settings[2];
-  const auto words = [&] { return in_words(study, 2, calibrate(study)); };
+  const auto words = [&] { return in_words(study, 2, calibrate(study), {}); };
   m.windows.body_m = 2e-3;
   EXPECT_NE(words().find("error 0.002 m (of a body, in a quarter of a second)"), std::string::npos) << words();
   m.error.player_m = 3e-3;
@@ -123,10 +139,41 @@ TEST(Limits, AnotherPlayerNeedsItsWork) {
   EXPECT_EQ(choice({.most_work = 3000.0}), 1U);
   EXPECT_EQ(choice({.most_work = 4000.0}), 2U);
   study.settings[2].others.error_m = 5e-3;
-  const std::string words = in_words(study, 2, calibration);
+  const std::string words = in_words(study, 2, calibration, {});
+  EXPECT_NE(in_words(study, 0, {5.0, 1.0}, {}).find("the greatest tick 9.01 ms (9000"), std::string::npos);
   EXPECT_NE(words.find("greatest tick 305 us (3000 units of work), error 0.005 m (with another player)"),
             std::string::npos)
       << words;
+}
+
+/// A tick that spends its budget may be off by any length with the next player.
+TEST(Limits, WhatSpendsItsBudgetOfWorkIsTheLastChoiceForAnError) {
+  for (int where = 0; where < 3; ++where) {
+    Study study = three();
+    Measured& cheapest = study.settings[0];
+    if (where == 0) cheapest.work.posed = 1;
+    if (where == 1) cheapest.windows.spends_budget = true;
+    if (where == 2) cheapest.others.spends_budget = true;
+    EXPECT_EQ(choose(study, {.max_error_m = 1e-2}, calibrate(study)).setting, 1U) << where;
+    EXPECT_EQ(choose(study, {.median_us = 20.0}, calibrate(study)).setting, 0U) << where;
+    study.settings[1].failure = study.settings[2].failure = "1 tick not converged";
+    EXPECT_EQ(choose(study, {.max_error_m = 1e-2}, calibrate(study)).setting, 0U) << where;
+  }
+}
+
+TEST(Limits, WhatIsRecommendedForAnErrorHasAnAmpleBudgetOfWork) {
+  Measured chosen;
+  EXPECT_EQ(recommended_for({.max_error_m = 1e-2}, chosen).max_work, ample_work);
+  EXPECT_EQ(recommended_for({.most_us = 500.0}, chosen), chosen.setting);
+  chosen.work.posed = 1;
+  EXPECT_EQ(recommended_for({.max_error_m = 1e-2}, chosen), chosen.setting);
+  EXPECT_EQ(with_ample_work(present()), present());
+  Setting large;
+  large.max_work = 50'000;
+  EXPECT_EQ(with_ample_work(large), large);
+  Study study = three();
+  const std::string words = in_words(study, 0, calibrate(study), {.max_error_m = 1e-2});
+  EXPECT_NE(words.find(" max_work=20000: "), std::string::npos) << words;
 }
 
 TEST(Limits, FailuresAndOtherMeshesAreNotChosen) {

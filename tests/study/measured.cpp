@@ -23,6 +23,10 @@ WorkFigures largest_work(const Measured& measured) {
   return {larger(own.mean, others.mean), larger(own.p99, others.p99), larger(own.most, others.most)};
 }
 
+bool spends_budget(const Measured& measured) {
+  return measured.work.posed > 0 || measured.windows.spends_budget || measured.others.spends_budget;
+}
+
 std::optional<ribbon::Accuracy> window_accuracy_of(const Setting& setting) {
   return is_present(setting) ? std::nullopt : std::optional(accuracy_of(setting));
 }

@@ -35,6 +35,7 @@ void OtherPlayer::judge(const CordSettings& settings, WithOthers& results) const
   const double own = difference(trace, converged_, about_.ticks).greatest_length();
   const double error = std::max({own, in_windows.greatest(), resolution});
   if (!(error <= results.error_m)) results.error_m = error;  // the first one, too
+  results.spends_budget = results.spends_budget || in_windows.spends_budget || trace.work.posed > 0;
   const WorkFigures work = figures_of(trace.tick_work);
   const auto add = [](double& most, double value) {
     if (!(value <= most)) most = value;

@@ -41,6 +41,7 @@ std::string data_of(const Report& report) {
                               {"front", std::find(on_front.begin(), on_front.end(), k) != on_front.end()}});
   }
   json["recommended"] = report.recommended ? Json(*report.recommended) : Json();
+  json["recommendedWith"] = report.recommended_with;
   json["present"] = report.present ? Json(*report.present) : Json();
   json["films"] = report.films.empty() ? Json() : Json::parse(report.films);
   return in_script(json.dump());

@@ -90,6 +90,13 @@ const colours = () => js(`(() => { const c = document.getElementById('canvas');
   const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, seen = new Set();
   for (let k = 0; k < d.length; k += 4) seen.add((d[k] << 16) + (d[k + 1] << 8) + d[k + 2]); return seen.size; })()`);
 
+// Texts of the front that lie in each other by more than 2 px.
+const overlapping = () => js(`(() => { const texts = [...document.querySelectorAll('#plots text')], found = [];
+  texts.forEach((t, k) => texts.slice(0, k).forEach(s => { const a = t.getBoundingClientRect(), b = s.getBoundingClientRect();
+    if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 2 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 2)
+      found.push(s.textContent + ' and ' + t.textContent); }));
+  return found.join(', '); })()`);
+
 async function firstScreen() {
   await size(1280, 720, false);
   const box = name => js(`document.querySelector('${name}').getBoundingClientRect().bottom`);
@@ -99,6 +106,7 @@ async function firstScreen() {
   for (const mark of ['1 % of a frame', '10 %']) {
     expect(await js(`document.querySelector('#plots svg').textContent.includes('${mark}')`), 'no line of ' + mark);
   }
+  expect(await overlapping() === '', 'texts lie in each other: ' + await overlapping());
   await picture('first_screen');
 }
 
@@ -131,6 +139,9 @@ async function hoverAndPlay() {
 async function smallScreen() {
   await size(360, 740, true);
   expect(await js(`document.documentElement.scrollWidth`) <= 360, 'the page is wider than 360 px');
+  expect(await overlapping() === '', 'at 360 px texts lie in each other: ' + await overlapping());
+  expect(await js(`[...document.querySelectorAll('.legend > span')].every(s => s.getClientRects().length === 1)`),
+         'an entry of the legend is broken at 360 px');
   const at = await middle(await js(`data.recommended ?? 0`));
   await js(`scrollTo(0, ${Math.max(0, at.y - 300)})`);
   const now = await middle(await js(`data.recommended ?? 0`));

@@ -15,9 +15,9 @@ let chosen = data.recommended ?? data.present;
 
 function words(k) {
   const p = data.points[k];
-  const marks = [k === data.recommended ? 'recommended' : '', k === data.present ? 'present setting' : '',
+  const marks = [k === data.recommended ? 'recommended' + (data.recommendedWith && ' with ' + data.recommendedWith) : '', k === data.present ? 'present setting' : '',
                  p.front ? 'on the front' : '', p.compared ? '' : 'another motion: not compared'];
-  return p.method + ' ' + p.setting + '\n' + digits(p.cost) + ' µs a tick, 99 % within ' + digits(p.p99) + ' µs, ' +
+  return p.method + ' ' + p.setting + '\n' + digits(p.cost) + ' µs a tick, 99 % within ' + digits(p.p99) + ' µs by the clock, ' +
          (p.failure ? 'failed: ' + p.failure : data.axis + ' ' + digits(p.error)) + '\n' +
          marks.filter(m => m).join(', ') + (hasFilm(k) ? '\nclick: play it' : '');
 }
@@ -63,10 +63,12 @@ function drawGroup(group) {
     element(svg, 'line', {class: 'grid', x1: left, x2: width - right, y1: y(10 ** e), y2: y(10 ** e)});
     element(svg, 'text', {x: left - 6, y: y(10 ** e) + 4, 'text-anchor': 'end'}, superscript(e));
   }
-  for (const [us, label] of [[167, '1 % of a frame'], [1670, '10 %']]) {
+  for (const [us, label, row] of [[167, '1 % of a frame', 32], [1670, '10 %', 48]]) {
     if (us < x0 || us > x1) continue;
     element(svg, 'line', {class: 'frame', x1: x(us), x2: x(us), y1: top, y2: height - bottom});
-    element(svg, 'text', {class: 'soft', x: x(us) - 4, y: top + 32, 'text-anchor': 'end'}, label);
+    const before = x(us) - left > 8 * label.length;  // room for it, beside the axis
+    element(svg, 'text', {class: 'soft', x: x(us) + (before ? -4 : 4), y: top + row, 'text-anchor': before ? 'end' : 'start'},
+            label);
   }
   element(svg, 'text', {x: 0.5 * (left + width), y: height - 8, 'text-anchor': 'middle'}, 'cost [µs a tick]');
   element(svg, 'text', {x: 14, y: 0.5 * height, 'text-anchor': 'middle', transform: `rotate(-90 14 ${0.5 * height})`},
@@ -107,16 +109,20 @@ function drawGroup(group) {
 
 function legend() {
   const line = document.createElement('p');
-  methods.forEach((method, m) => {
-    const dot = document.createElement('span');
-    dot.style.color = colors[m % colors.length];
-    dot.textContent = '● ';
-    line.append(dot, method + ' · ');
-  });
-  line.append('line: front' + (data.recommended === null ? '' : ' · ○ recommended') +
-              (data.present === null ? '' : ' · □ present setting') +
-              (data.points.some(p => p.failure) ? ' · × failed' : '') +
-              (data.points.some(p => !p.compared) ? ' · small: another motion' : ''));
+  line.className = 'legend';
+  const add = (sign, text, color) => {
+    const item = document.createElement('span'), mark = document.createElement('span');
+    mark.textContent = sign + ' ';
+    if (color) mark.style.color = color;
+    item.append(mark, text);
+    line.append(item, ' ');
+  };
+  methods.forEach((method, m) => add('●', method, colors[m % colors.length]));
+  add('—', 'front');
+  if (data.recommended !== null) add('○', 'recommended');
+  if (data.present !== null) add('□', 'present setting');
+  if (data.points.some(p => p.failure)) add('×', 'failed');
+  if (data.points.some(p => !p.compared)) add('•', 'another motion');
   return line;
 }
 

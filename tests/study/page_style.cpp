@@ -18,6 +18,7 @@ svg .grid{stroke:var(--faint)}svg .frame{stroke:var(--soft);stroke-dasharray:4 4
 svg .front{fill:none;stroke:var(--ink);stroke-width:2}
 svg .point{cursor:pointer}svg .chosen{stroke:var(--ink);stroke-width:3}svg .point:focus{outline:none}svg .point:focus-visible{outline:2px dotted var(--ink)}
 svg .ring{fill:none;stroke:var(--ink);stroke-width:2}
+.legend span{white-space:nowrap}.legend>span{margin-right:.8em}
 canvas{width:100%;border:1px solid var(--faint)}
 #controls{display:flex;flex-wrap:wrap;gap:.5em;align-items:center;margin:.3em 0}#seek{flex:1 1 6em;min-width:4em}
 button{font:inherit;min-height:2.2em}

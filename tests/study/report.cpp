@@ -115,6 +115,14 @@ std::string method_of(const Report& report) {
 
 }  // namespace
 
+void require_folder(const std::string& folder) {
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  const std::string probe = folder + "/writable";
+  write(probe, "");
+  std::filesystem::remove(probe, ignored);
+}
+
 void write_report(const Report& report, const std::string& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);

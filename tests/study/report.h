@@ -20,6 +20,7 @@ struct Report {
   std::string axis = "error [m]";                 ///< the label of the points' own error
   std::string headline{};                         ///< the recommendation in a sentence; empty: none
   std::optional<std::size_t> recommended{};       ///< its point
+  std::string recommended_with{};                 ///< what is recommended beyond that point: max_work=20000; or empty
   std::optional<std::size_t> present{};           ///< the point of the present setting
   std::vector<std::string> findings{};            ///< a line each, behind the picture: terms that are needed and not
   std::string films{};  ///< JSON for page_script.js: the stage, and films by point; empty: none
@@ -30,6 +31,9 @@ class PlotError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Makes a folder that a report can be written into. Throws std::runtime_error if it cannot be: before minutes of work.
+void require_folder(const std::string& folder);
 
 /// Writes points.csv, points.json, index.html and a plot of the points' error, drawn by gnuplot (front.gp, front.svg),
 /// into a folder, which it creates. Throws std::runtime_error if the folder cannot be written, and PlotError, with

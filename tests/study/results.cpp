@@ -38,6 +38,7 @@ Json json_of(const Measured& m) {
           {"points", m.setting.points},
           {"max_iterations", m.setting.iterations},
           {"rows", m.setting.rows},
+          {"max_work", m.setting.max_work},
           {"error", json_of(m.error)},
           {"mesh", json_of(m.mesh)},
           {"chaotic", m.chaotic.values},
@@ -45,6 +46,7 @@ Json json_of(const Measured& m) {
           {"tick_work", {m.tick_work.mean, m.tick_work.p99, m.tick_work.most}},
           {"others", {m.others.error_m, m.others.work.mean, m.others.work.p99, m.others.work.most}},
           {"others_failure", m.others.failure},
+          {"spends_budget", {m.windows.spends_budget, m.others.spends_budget}},
           {"resolution", m.resolution_m},
           {"contacts", m.contacts},
           {"work", m.work.work},
@@ -60,18 +62,18 @@ Json json_of(const Measured& m) {
 Measured measured_of(const Json& j) {
   Measured m;
   m.setting = {j.at("solver"), j.at("integrator"),     j.at("substeps"), j.at("tolerance"),
-               j.at("points"), j.at("max_iterations"), j.at("rows")};
+               j.at("points"), j.at("max_iterations"), j.at("rows"),     j.at("max_work")};
   m.error = errors_of(j.at("error"));
   m.mesh = errors_of(j.at("mesh"));
   for (std::size_t k = 0; k < Statistics::count; ++k)
     m.chaotic.values[k] = number_or_unavailable(j.at("chaotic").at(k));
   const auto windows = [&j](std::size_t k) { return number_or_unavailable(j.at("windows").at(k)); };
-  m.windows = {windows(0), windows(1), windows(2), {}};
+  m.windows = {windows(0), windows(1), windows(2), {}, j.at("spends_budget").at(0)};
   m.windows_resolution_m = windows(3);
   const auto work = [&j](std::size_t k) { return number_or_unavailable(j.at("tick_work").at(k)); };
   m.tick_work = {work(0), work(1), work(2)};
   const auto others = [&j](std::size_t k) { return number_or_unavailable(j.at("others").at(k)); };
-  m.others = {others(0), {others(1), others(2), others(3)}, j.at("others_failure")};
+  m.others = {others(0), {others(1), others(2), others(3)}, j.at("others_failure"), j.at("spends_budget").at(1)};
   m.resolution_m = j.at("resolution");
   m.contacts = j.at("contacts");
   m.work.work = j.at("work");

@@ -84,6 +84,11 @@ std::vector<Setting> own_settings() {
   return own;
 }
 
+Setting with_ample_work(Setting setting) {
+  if (setting.solver == "direct" && !is_present(setting) && setting.max_work == 0) setting.max_work = ample_work;
+  return setting;
+}
+
 Setting probe(const Mesh& mesh) { return {"direct", "tr_bdf2", 4, 1e-5, mesh.points, 0, mesh.rows, unlimited_work}; }
 
 Setting reference(const Mesh& mesh, bool second, bool quick) {

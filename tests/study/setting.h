@@ -69,6 +69,13 @@ std::vector<Setting> own_settings();
 
 using ribbon::study::unlimited_work;
 
+/// The budget of work of what is recommended for an error. A tick that spends its budget may be off by centimetres. The
+/// default one suffices in nearly all ticks, and where it does, this one changes nothing.
+inline constexpr int ample_work = 20'000;
+/// Returns a setting of the direct solver with that budget; others, the present one, and one that has a budget, as they
+/// are.
+Setting with_ample_work(Setting setting);
+
 /// Returns the setting of the converged motion of a mesh: 64 or 128 substeps solved to 1e-7 m; half as many for
 /// `quick` and for ribbons; with unlimited_work.
 Setting reference(const Mesh& mesh, bool second, bool quick);

@@ -17,7 +17,8 @@ using ribbon::Vec2;
 using ribbon::box2d::to_double;
 using Line = std::vector<Vec2>;
 
-constexpr std::size_t lag = 15;  // ticks, accepted delay between a run and its reference
+constexpr std::size_t lag = 15;    // ticks, accepted delay between a run and its reference
+constexpr double untouched = 3.0;  // radii at rest from a tie, within which its cords do not touch: see Coupling::tie
 
 bool is_circle(const b2Fixture& fixture) { return fixture.GetType() == b2Shape::e_circle; }
 
@@ -106,7 +107,60 @@ void mark(Crossings& crossings, int cord, Crossed kind) {
   bits = static_cast<unsigned char>(bits | kind);
 }
 
-void mark_crossings(Crossings& crossings, const ribbon::box2d::Coupling& coupling, const std::vector<Line>& lines) {
+/// A cord of a tie: its columns at rest, and where it is tied.
+struct TiedCord {
+  TiedCord(const ribbon::box2d::Coupling& coupling, ribbon::box2d::CordId id, int point) {
+    const ribbon::CordDef& def = coupling.cord(id).direct().def();
+    for (int link = 0; link + 1 < def.points; ++link)
+      arcs.push_back(arcs.back() + coupling.cord(id).direct().rest_length(link));
+    tied = arcs[static_cast<std::size_t>(point / def.rows)];
+    reach = untouched * def.radius;
+  }
+
+  /// Returns whether a link begins or ends so near the tie that its end touches nothing of the other cord there.
+  bool is_near_with_an_end(std::size_t link) const {
+    return std::min(std::abs(arcs[link] - tied), std::abs(arcs[link + 1] - tied)) < reach;
+  }
+  /// Returns whether any place of a link is so near.
+  bool is_near(std::size_t link) const { return arcs[link] - tied < reach && tied - arcs[link + 1] < reach; }
+
+  std::vector<double> arcs{0.0};  // m
+  double tied = 0.0;              // m
+  double reach = 0.0;             // m
+};
+
+/// Returns the crossings of two cords that are not near one of their ties, where they do not touch by definition.
+int crossings_beside_ties(const b2World& world, const ribbon::box2d::Coupling& coupling, const std::vector<Line>& lines,
+                          ribbon::box2d::CordId a, ribbon::box2d::CordId b) {
+  const Line& line = lines[static_cast<std::size_t>(a)];
+  const Line& other = lines[static_cast<std::size_t>(b)];
+  const int all = test_support::mutual_crossings(line, false, other, false);
+  if (all == 0) return 0;
+  ribbon::box2d::Coupling::State state;
+  coupling.save(world, state);
+  std::vector<std::pair<TiedCord, TiedCord>> ties;
+  for (const ribbon::box2d::TieMemory& tie : state.ties) {
+    const auto [own, its] = tie.place.cord == a ? std::pair(tie.place, tie.other) : std::pair(tie.other, tie.place);
+    if (own.cord != a || its.cord != b) continue;
+    ties.emplace_back(TiedCord(coupling, a, own.point), TiedCord(coupling, b, its.point));
+  }
+  if (ties.empty()) return all;
+  int count = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < other.size(); ++j) {
+      if (!test_support::is_crossing(line[i], line[i + 1], other[j], other[j + 1])) continue;
+      const bool is_near_a_tie = std::any_of(ties.begin(), ties.end(), [i, j](const auto& tie) {
+        const auto& [own, its] = tie;
+        return (own.is_near_with_an_end(i) && its.is_near(j)) || (its.is_near_with_an_end(j) && own.is_near(i));
+      });
+      count += is_near_a_tie ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+void mark_crossings(Crossings& crossings, const b2World& world, const ribbon::box2d::Coupling& coupling,
+                    const std::vector<Line>& lines) {
   for (const ribbon::box2d::CordId a : coupling.cords()) {
     const Line& line = lines[static_cast<std::size_t>(a)];
     if (may_declare(coupling, a, &ribbon::CordDef::self_contact) && test_support::self_crossings(line, false) > 0) {
@@ -116,7 +170,8 @@ void mark_crossings(Crossings& crossings, const ribbon::box2d::Coupling& couplin
     for (const ribbon::box2d::CordId b : coupling.cords()) {
       if (b >= a) break;
       if (!may_declare(coupling, b, &ribbon::CordDef::cord_contact)) continue;
-      if (test_support::mutual_crossings(line, false, lines[static_cast<std::size_t>(b)], false) == 0) continue;
+      if (coupling.cord(a).solver() != coupling.cord(b).solver()) continue;  // these never touch
+      if (crossings_beside_ties(world, coupling, lines, a, b) == 0) continue;
       mark(crossings, a, through_cord);
       mark(crossings, b, through_cord);
     }
@@ -171,7 +226,7 @@ Crossings TunnellingDetector::detect(const b2World& world, const ribbon::box2d::
       }
     }
   }
-  mark_crossings(found, coupling, now.lines);
+  mark_crossings(found, world, coupling, now.lines);
   before_ = std::move(now);
   return found;
 }

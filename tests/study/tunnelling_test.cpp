@@ -125,6 +125,46 @@ TEST(Tunnelling, FindsOnlyDeclaredContacts) {
   }
 }
 
+/// Near a tie, cords do not touch each other, so that crossing there is not tunnelling.
+TEST(Tunnelling, ExcludesWhatIsNearATie) {
+  for (const std::size_t crossing : {1U, 2U}) {  // the link of the other rope, which begins 0.5 or 1 m from the tie
+    test_support::CoupledWorld world({}, {});
+    ribbon::CordDef def = weightless_rope();
+    def.cord_contact = true;
+    def.radius = 0.2;  // a third of the reach of a tie
+    world.add(def);
+    def.positions = {{0.0, 0.0}, {0.2, -0.3}, {0.2, -0.8}, {0.4, 0.3}, {0.4, 0.8}};
+    if (crossing == 1) def.positions = {{0.0, 0.0}, {0.2, -0.3}, {0.4, 0.3}, {0.4, 0.8}, {0.4, 1.3}};
+    world.add(def);
+    const auto detect = [&] { return TunnellingDetector().detect(world.world, world.coupling, {})[0]; };
+    EXPECT_EQ(detect(), through_cord);
+    const ribbon::box2d::TieId tie = world.coupling.tie({1, 0, 0, 0});
+    EXPECT_EQ(detect(), crossing == 1 ? 0 : through_cord);
+    world.coupling.tie(tie).untie();
+    EXPECT_EQ(detect(), through_cord);
+  }
+}
+
+/// Cords of the thesis touch each other, but none of the direct solver.
+TEST(Tunnelling, ExcludesCordsOfDifferentSolvers) {
+  ribbon::ThesisDef across;
+  across.w = 5;
+  across.h = 2;
+  for (int i = 0; i < across.w; ++i) {
+    for (const double x : {0.7, 0.8}) across.positions.push_back({x, 0.5 - 0.3 * i});
+  }
+  ribbon::ThesisDef along = across;
+  for (Vec2& p : along.positions) p = {p.y + 0.8, p.x - 0.75};
+  for (const bool both : {false, true}) {
+    test_support::CoupledWorld world({}, {});
+    world.coupling.add(ribbon::ThesisCord(across));
+    ribbon::CordDef rope = weightless_rope();
+    rope.cord_contact = true;
+    both ? world.coupling.add(ribbon::ThesisCord(along)) : world.add(rope);
+    EXPECT_EQ(TunnellingDetector().detect(world.world, world.coupling, {})[0] & through_cord, both ? through_cord : 0);
+  }
+}
+
 /// Returns the crossings of two cords without any event in 100 ticks.
 std::vector<Crossings> nothing() { return std::vector<Crossings>(100, Crossings(2, 0)); }
 

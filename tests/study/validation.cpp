@@ -106,12 +106,18 @@ class PromiseTrial {
     std::vector<Setting> retested;
     for (const Promise& promise : options_->promises) {
       const Choice choice = choose(promise.limits.max_error_m ? counted : chosen_on, promise.limits, fit);
-      chosen.push_back(choice.setting ? std::optional(index_in(retested, chosen_on.settings[*choice.setting].setting))
-                                      : std::nullopt);
+      if (!choice.setting) {
+        chosen.emplace_back();
+        continue;
+      }
+      const Measured& setting = chosen_on.settings[*choice.setting];
+      chosen.emplace_back(index_in(retested, recommended_for(promise.limits, setting)));
     }
     const Inputs other_input = random_inputs_with_cords(varied.level(), seed_ + 1, options_->ticks);
     const bool holds = !meetings_of(varied.level(), other_input).held.empty();
-    const Study again = retested.empty() ? Study{} : (*measure_)(varied, other_input, options_of(retested));
+    StudyOptions as_recommended = options_of(retested);
+    as_recommended.ample_budgets = false;
+    const Study again = retested.empty() ? Study{} : (*measure_)(varied, other_input, as_recommended);
     const std::vector<Point> points = applicable(again);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       rows_[k].holds_cord = holds;

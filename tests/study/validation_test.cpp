@@ -22,7 +22,7 @@ Measured measured_of(const Setting& setting) {
   Measured m;
   m.setting = setting;
   m.error.position_m = found_at * 1e-2;
-  m.cost_us = found_at * 100.0;
+  m.cost_us = m.least_us = found_at * 100.0;
   m.tick_work = {1000.0, 2000.0, 3000.0};
   return m;
 }
@@ -120,13 +120,13 @@ TEST(Validation, TheCheapestSettingHasTheLeastWork) {
     m.cost_us = is_euler ? 50.0 : 5.0;
   };
   const std::vector<PromiseRow> rows = rows_of(1, first, original, {.max_error_m = 1e-2});
-  EXPECT_EQ(rows.at(0).setting, "implicit_euler substeps=1 tolerance=0.01");
+  EXPECT_EQ(rows.at(0).setting, "implicit_euler substeps=1 tolerance=0.01 max_work=20000");
 }
 
 /// At 0.1 us a unit of work.
 TEST(Validation, ThePercentileIsThatOfCountedWork) {
   const auto again = [](int k, Measured& m) { m.tick_work.p99 = k == 0 ? 2990.0 : 3010.0; };
-  const auto first = [](int, Measured& m) { m.cost_us = 100.0; };
+  const auto first = [](int, Measured& m) { m.cost_us = m.least_us = 100.0; };
   const std::vector<PromiseRow> rows = rows_of(2, first, again, {.p99_us = 300.0});
   EXPECT_NEAR(rows.at(0).value, 299.0, 1e-6);
   EXPECT_TRUE(rows[0].is_met);
@@ -201,7 +201,18 @@ TEST(Validation, SettingsAreChosenWithSeveralPlayers) {
   validate_recommendations(
       levels, options, [&](const auto& some, double) { rows = some; }, measure);
   EXPECT_EQ(others, (std::vector<std::size_t>{3, 0}));
-  EXPECT_EQ(rows.at(0).setting, "tr_bdf2 substeps=4 tolerance=0.0001");
+  EXPECT_EQ(rows.at(0).setting, "tr_bdf2 substeps=4 tolerance=0.0001 max_work=20000");
+}
+
+/// As it is recommended: for an error with ample_work, for a cost as it was measured.
+TEST(Validation, ASettingIsTestedAsItIsRecommended) {
+  std::vector<std::string> tested;
+  const auto again = [&tested](int, Measured& m) { tested.push_back(name_of(m.setting)); };
+  const std::vector<PromiseRow> rows = rows_of(1, original, again);
+  const std::string name = "implicit_euler substeps=1 tolerance=0.01";
+  EXPECT_EQ(tested, (std::vector{name + " max_work=20000", name}));
+  EXPECT_EQ(rows.at(0).setting, name + " max_work=20000");
+  EXPECT_EQ(rows.at(1).setting, name);
 }
 
 TEST(Validation, TheRowsOfShardsAreThoseOfTheWhole) {

@@ -138,17 +138,19 @@ WindowErrors Windows::pooled(Run&& run_in) const {
   };
   Sum cords, players, bodies;
   std::string failure;
+  bool spends_budget = false;
   for (const Window& window : windows_) {
     if (window.longest() == 0) continue;
     const Trace trace = run_in(window);
     if (failure.empty() && !trace.failure.empty()) {
       failure = trace.failure + " of a run that continues from tick " + std::to_string(window.begin);
     }
+    spends_budget = spends_budget || trace.work.posed > 0;
     cords.add(difference(trace, window.reference, window.cords).position_m, window.cords);
     players.add(difference(trace, window.reference, window.player).player_m, window.player);
     bodies.add(difference(trace, window.reference, window.bodies).body_m, window.bodies);
   }
-  return {cords.root(), players.root(), bodies.root(), failure};
+  return {cords.root(), players.root(), bodies.root(), failure, spends_budget};
 }
 
 double Windows::share(std::size_t Window::*compared) const {

@@ -19,6 +19,7 @@ struct WindowErrors {
   double player_m = unavailable;
   double body_m = unavailable;  ///< over the second player and the dynamic bodies
   std::string failure{};        ///< why it does not count: it blew up in a window; empty if it counts
+  bool spends_budget = false;   ///< in some tick the budget of work (Accuracy::max_work) did not suffice
 
   /// 0 if nothing is compared.
   double greatest() const;

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -47,6 +48,7 @@ int run_named_scene(const std::string& name, int repeats, bool csv, const std::s
     for (const Scene& known : tradeoff::scenes()) std::fprintf(stderr, "  %s\n", known.name.c_str());
     return 2;
   }
+  if (!folder.empty()) study::require_folder(folder);
   const std::vector<Variant> variants = scene->variants();
   const std::vector<Row> rows = tradeoff::run_scene(*scene, variants, repeats);
   csv ? print_csv(*scene, rows) : print_table(*scene, rows);
@@ -68,13 +70,20 @@ CLI::Validator measured_in(const std::map<std::string, double>& units) {
     const std::size_t end = text.find_first_not_of("0123456789.eE+-");
     const auto unit = units.find(end == std::string::npos ? "" : text.substr(end));
     double value = 0.0;
-    if (unit == units.end() || !CLI::detail::lexical_cast(text.substr(0, end), value) || !(value > 0.0)) {
+    if (unit == units.end() || !CLI::detail::lexical_cast(text.substr(0, end), value) || !(value > 0.0) ||
+        !std::isfinite(value * unit->second)) {
       return text + " is not accepted; accepted is a number above 0 with a unit: " + accepted;
     }
     text = study::significant(value * unit->second, 17);
     return {};
   };
   return CLI::Validator(check, "NUMBER+UNIT");
+}
+
+std::string positive(const std::string& text) {
+  double value = 0.0;
+  if (CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value)) return {};
+  return text + " is not accepted; accepted is a number above 0: 20000";
 }
 
 /// The arguments of the command line.
@@ -107,7 +116,7 @@ void add_level_options(CLI::App& app, study::Command& study) {
       ->transform(measured_in({{"us", 1.0}, {"ms", 1e3}}));
   app.add_option("--budget-work", study.limits.most_work,
                  "The same in counted work, which is the same on every machine: a number above 0, of the greatest tick")
-      ->check(CLI::PositiveNumber);
+      ->check(positive, "NUMBER");
   app.add_flag("--by-cord", study.by_cord,
                "Look for settings by cord, too: some cheaper than one setting for all. With --apply these are written. "
                "Without --level, or with several: a table of levels");
@@ -163,7 +172,8 @@ std::vector<std::string> given_options(const CLI::App& app) {
 int run_study(Arguments& arguments) {
   study::Command& study = arguments.study;
   if (study.levels.size() > 1) {
-    throw std::runtime_error("--level is given more than once; accepted is that only with --validate");
+    throw std::runtime_error(
+        "--level is given more than once; accepted is that beside --validate, --check or --by-cord");
   }
   study.level = study.levels.front();
   if (study.apply && !study.limits.any()) {

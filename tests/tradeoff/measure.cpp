@@ -45,7 +45,10 @@ void repeat_once(const Timed& variant, int ticks, Samples& samples) {
 }
 
 Timing timing_of(const Timed& variant, const Samples& samples) {
-  Timing timing{quantile(samples.means, 0.5), quantile(samples.ticks, 0.99)};
+  Timing timing;
+  timing.median_us = quantile(samples.means, 0.5);
+  timing.least_us = quantile(samples.means, 0.0);
+  timing.p99_us = quantile(samples.ticks, 0.99);
   for (const std::vector<double>& tick : samples.share) {
     timing.worst_us = std::max(timing.worst_us, quantile(tick, 0.5));
   }

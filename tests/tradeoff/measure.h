@@ -18,6 +18,7 @@ struct Timed {
 struct Timing {
   double median_us = 0.0;  ///< a tick with its rest: median over the repeats of the mean; without a rest in processor
                            ///< time
+  double least_us = 0.0;   ///< the same, but the least of the repeats: what the machine takes when nothing disturbs it
   double p99_us = 0.0;     ///< 99th percentile of single ticks of all repeats. Reading the clock after each adds some
                            ///< 0.03 µs
   double worst_us = 0.0;   ///< the most expensive tick without its rest; of each tick the median over the repeats
@@ -27,7 +28,8 @@ struct Timing {
   double share_p99_us = 0.0;  ///< 99th percentile of single ticks without their rest
 };
 
-/// Returns the smallest value that `share` (0 … 1) of the values do not exceed. Requires at least one value.
+/// Returns the value at place share · (n − 1), rounded down, of the n sorted values, from 0 on; `share` is 0 … 1.
+/// Requires at least one value.
 double quantile(std::vector<double> values, double share);
 
 /// Times variants in turn, `ticks` at a time, `repeats` times, so that a slow moment of a shared machine affects all

@@ -22,9 +22,10 @@ const std::vector<Mode>& modes() {
       {"--validate",
        {"--level", "--max-error", "--budget", "--budget-p99", "--budget-most", "--budget-work", "--csv", "--shard"}},
       {"--promises-of", {}},
+      {"--terms", {"--level", "--replay"}},
       {"--level",
        {"--replay", "--quick", "--repeats", "--out", "--max-error", "--budget", "--budget-p99", "--budget-most",
-        "--budget-work", "--by-cord", "--apply", "--terms"}},
+        "--budget-work", "--by-cord", "--apply"}},
       {"--by-cord", {"--max-error", "--shard"}},
       {"--scene", {"--repeats", "--out", "--csv"}}};
   return all;

@@ -72,6 +72,7 @@ int write_level(const StandardReport& report, const std::string& level) {
 
 int write(const StandardReport& report) {
   if (report.folder.empty()) throw std::runtime_error("--report needs a folder to write to; accepted is --out FOLDER");
+  study::require_folder(report.folder);
   const std::vector<std::string> scenes = scene_names(report.quick);
   const std::vector<std::string> levels = game::level_names();
   std::vector<study::Page> pages;
