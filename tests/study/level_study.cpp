@@ -33,6 +33,8 @@ constexpr std::size_t few_windows = 8;
 class Progress {
  public:
   Progress(const StudyOptions& options, double all) : options_(&options), all_(all) {}
+  /// There is more to do than was known.
+  void expect(double work) { all_ += work; }
   void add(double work) {
     done_ += work;
     if (!options_->progress) return;
@@ -107,7 +109,10 @@ class LevelStudy {
       const Setting setting = settings[k];
       study.settings.push_back(measured_error(setting, fine, windows));
       if (options_->films) study.films.push_back(film_of(setting, study.stage));
-      if (needs_ample_work(study.settings.back())) settings.push_back(with_ample_work(setting));
+      if (needs_ample_work(study.settings.back())) {
+        settings.push_back(with_ample_work(setting));
+        progress_.expect((1.0 + options_->repeats) * work_of(settings.back()));
+      }
       progress_.add(work_of(setting));
     }
     study.complete = time(study.settings);

@@ -206,8 +206,12 @@ TEST_F(LevelStudy, WhatSpendsItsBudgetIsMeasuredAgainWithAnAmpleOne) {
   StudyOptions some = options();
   some.folder.clear();
   some.grid = {present(), {"direct", "tr_bdf2", 4, 1e-4}};
+  std::vector<double> shares;
+  some.progress = [&shares](double share, double) { shares.push_back(share); };
   const std::vector<engine::TickInput> inputs(30);
   const Study study = measure(LevelFile(level_path), inputs, some);
+  EXPECT_EQ(std::count_if(shares.begin(), shares.end(), [](double share) { return share > 0.999; }), 1)
+      << "the bar is full when all is done";
   ASSERT_EQ(study.settings.size(), 3U);  // the present one stays as it is
   EXPECT_TRUE(spends_budget(study.settings[1]));
   EXPECT_EQ(study.settings[2].setting, with_ample_work(some.grid[1]));

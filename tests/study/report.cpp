@@ -118,7 +118,7 @@ std::string method_of(const Report& report) {
 void require_folder(const std::string& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  const std::string probe = folder + "/writable";
+  const std::string probe = folder + "/.tradeoff_can_write";
   write(probe, "");
   std::filesystem::remove(probe, ignored);
 }
