@@ -206,6 +206,7 @@ TEST_F(LevelStudy, WhatSpendsItsBudgetIsMeasuredAgainWithAnAmpleOne) {
   StudyOptions some = options();
   some.folder.clear();
   some.grid = {present(), {"direct", "tr_bdf2", 4, 1e-4}};
+  some.repeats = 3;
   std::vector<double> shares;
   some.progress = [&shares](double share, double) { shares.push_back(share); };
   const std::vector<engine::TickInput> inputs(30);
