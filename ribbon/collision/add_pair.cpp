@@ -21,12 +21,14 @@ Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anc
   return contacts.scene.anchors.body(anchor).current;
 }
 
-/// Restores what the cord stored of the contact in the last step.
+/// Restores what the cord stored of the contact in the last step. A body that was near in that step and is gone may
+/// have made the contact stiffer: then it cannot be compressed by as much as the force would need.
 void restore_touch(const Member& member, ContactPair& pair) {
   const auto& touches = member.cord->state.touches;
   const auto before = std::lower_bound(touches.begin(), touches.end(), pair.touch,
                                        [](const Touch& a, const Touch& b) { return a.place_before(b); });
   if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
+  pair.touch.force = std::min(pair.touch.force, pair.stiffness * pair.contact_distance);
   pair.touch.impulse = 0.0;
   pair.touch.push = {};
 }

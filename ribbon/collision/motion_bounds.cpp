@@ -24,6 +24,15 @@ constexpr double linearised_near_enlargement = 8.0;
 constexpr double surely_within = 0.9;  // of a bound: whatever is so near the end of its free motion has not left it
 constexpr int halvings = 10;           // to find where something leaves its bound
 
+/// Returns the speed of the fastest point of a cord, or of the fastest body that holds it, m/s.
+double highest_speed(const IslandState& state, const Member& member) {
+  double highest2 = 0.0;
+  const auto include = [&highest2](Vec2 v) { highest2 = std::max(highest2, dot(v, v)); };
+  for (const Vec2& v : IslandState::points_of(member, state.velocities)) include(v);
+  for (const Grip& grip : member.surroundings.grips) include(state.rigid[at(grip.body)].velocity);
+  return std::sqrt(highest2);
+}
+
 }  // namespace
 
 double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surroundings,
@@ -53,9 +62,13 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
          dt * max_medium_push(parts, surroundings, dt, gravity).delta_v;
 }
 
-void MotionBounds::begin_step(std::size_t members) { bounds_.assign(members, {}); }
+void MotionBounds::begin_step(std::size_t members) {
+  bounds_.assign(members, {});
+  may_stop_ = false;
+}
 
 void MotionBounds::enlarge_for_linearised() {
+  may_stop_ = true;
   for (Bound& bound : bounds_) {
     bound.enlargement = std::max(bound.enlargement, linearised_enlargement);
     bound.near_enlargement = std::max(bound.near_enlargement, linearised_near_enlargement);
@@ -72,8 +85,9 @@ void MotionBounds::find(const IslandState& state) {
   body_bound_ = 0.0;
   for (std::size_t m = 0; m < state.members.size(); ++m) {
     const Member& member = state.members[m];
-    bounds_[m].all =
-        bounds_[m].enlargement * bound_of(*member.cord, member.surroundings, state.rigid, state.dt, state.gravity);
+    const double bound = bound_of(*member.cord, member.surroundings, state.rigid, state.dt, state.gravity);
+    bounds_[m].all = bounds_[m].enlargement * bound;
+    if (may_stop_) bounds_[m].all = std::max(bounds_[m].all, bound + state.dt * highest_speed(state, member));
     bounds_[m].near = bounds_[m].near_enlargement * near_share * member.cord->state.rest[0];
     body_bound_ = std::max(body_bound_, bounds_[m].all);
   }

@@ -19,7 +19,8 @@ class MotionBounds {
 
   /// Begins the first attempt at a step.
   void begin_step(std::size_t members);
-  /// Enlarges all bounds for a step whose contacts are linearised once, because that is expensive to redo.
+  /// Enlarges all bounds for a step whose contacts are linearised once, because that is expensive to redo. In it a cord
+  /// that becomes taut, or the body that holds it, may stop.
   void enlarge_for_linearised();
   /// Finds the bounds and the ends of the free motion at the start of an attempt.
   void find(const IslandState& state);
@@ -60,6 +61,7 @@ class MotionBounds {
   double share_within(Vec2 from, Vec2 to, Vec2 start, Vec2 end, double bound) const;
 
   bool enabled_ = false;
+  bool may_stop_ = false;      // what moves as fast as anything in its cord
   std::vector<Bound> bounds_;  // by member
   double body_bound_ = 0.0;    // m
   std::vector<Vec2> start_;

@@ -51,7 +51,9 @@ int ActiveSet::update(std::span<LimitedRow> rows, std::span<const Vec2> step, do
     if (state == states_[k]) continue;
     const double limit = state == State::low || states_[k] == State::low ? row.low : row.high;
     const double error = std::abs(spring - limit);
-    if (error <= force_tolerance * max_force_ || error * row.compliance <= tolerance) continue;
+    // A stiff contact may pull by as much as it may be deep. A bar that pushes moves its points.
+    const double moved = error * (row.is_bar() && spring < row.low ? row.point_compliance : row.compliance);
+    if (error <= force_tolerance * max_force_ || moved <= tolerance) continue;
     states_[k] = state;
     ++changed;
   }

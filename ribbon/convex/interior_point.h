@@ -30,7 +30,8 @@ class InteriorPoint {
   /// each relative to that at the start.
   double gap() const { return gap_; }
   /// Sets the active set to the one that the method converges to: a row is at a limit if its multiplier outweighs the
-  /// distance of the force from the limit.
+  /// distance of the force from the limit. The force is then that limit: a little force that is left of a contact would
+  /// limit its friction to so little that the next solve, which starts inside all limits, takes tiny steps.
   void end(std::span<LimitedRow> rows, ActiveSet& active_set) const;
 
  private:

@@ -17,6 +17,7 @@ bool LimitedRows::are_coupled(const BlockLdlt& matrix) const {
 double LimitedRows::potential(std::span<const Vec2> step, double fraction) const {
   double sum = 0.0;
   for (const LimitedRow& row : rows_) {
+    if (row.is_bar()) continue;
     const double z = row.value + fraction * row.row.along(step);
     const double force = std::clamp(-z / row.compliance, row.low, row.high);
     sum -= force * (z + 0.5 * row.compliance * force);

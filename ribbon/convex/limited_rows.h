@@ -13,7 +13,8 @@ namespace ribbon {
 ///
 ///     f = clamp(−z/compliance, low, high) = −φ′(z),     φ convex.
 ///
-/// A contact has low = 0 and high = ∞; friction and a slipping grip have −S and S, S being the largest force.
+/// A contact has low = 0 and high = ∞; friction and a slipping grip have −S and S, S being the largest force. A bar
+/// that cannot push has low = 0 and high = ∞, and z is its shortening.
 struct LimitedRow {
   SlotRow row;        ///< J
   double value;       ///< m, z without a step
@@ -21,6 +22,10 @@ struct LimitedRow {
   double low;         ///< N, below `high`; finite
   double high;        ///< N, or infinity
   double force;       ///< N: predicted, and after a solve its solution
+  /// m/N, of a bar: how far a force beyond its limit moves a point; 0 for other rows.
+  double point_compliance = 0.0;
+
+  bool is_bar() const { return point_compliance > 0.0; }
 
   bool has_high() const { return high < std::numeric_limits<double>::infinity(); }
 };
@@ -51,7 +56,7 @@ class LimitedRows {
   }
   void couple(BlockLdlt& matrix) const;
   bool are_coupled(const BlockLdlt& matrix) const;
-  /// Returns Σ φ(z) after this fraction of a step, J.
+  /// Returns Σ φ(z) after this fraction of a step, J, without bars: their energy is that of their cords.
   double potential(std::span<const Vec2> step, double fraction) const;
 
  private:

@@ -194,7 +194,9 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     const MixedBar mixed = bar(stage, x, e, size, -d);
     blocks.make_scalar_dual(dual);
     right_side[at(dual)] = {};
-    if (is_left_out(e) || (tension_only_ && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size))) {
+    const bool is_row = tension_only_ && stage.bars_are_rows;
+    const bool slack = tension_only_ && !is_row && is_slack(mixed, tensions[e], 1.0 / stage.inertia[e], size);
+    if (is_left_out(e) || slack) {
       blocks.add(dual, -1.0, 0.0, -1.0);
       continue;
     }
@@ -202,6 +204,10 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
     blocks.add(a, g * u.x * u.x, g * u.x * u.y, g * u.y * u.y);
     blocks.add(b, g * u.x * u.x, g * u.x * u.y, g * u.y * u.y);
     blocks.add(a, b, -g * u.x * u.x, -g * u.x * u.y, -g * u.x * u.y, -g * u.y * u.y);
+    if (is_row) {
+      blocks.add(dual, -1.0, 0.0, -1.0);
+      continue;
+    }
     blocks.add(a, dual, -d.x, 0.0, -d.y, 0.0);
     blocks.add(b, dual, d.x, 0.0, d.y, 0.0);
     const MixedBar solved = proximal(mixed, proximal_compliance, tensions[e]);
@@ -213,6 +219,17 @@ void Chain::load(const Stage& stage, std::span<const Vec2> x, std::span<const do
 void Chain::update(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> tensions,
                    std::span<const Vec2> /*direction*/, std::span<const Vec2> duals, std::span<double> next) {
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) next[e] = is_left_out(e) ? tensions[e] : duals[e].x;
+}
+
+void Chain::append_bars(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                        std::vector<OneSidedBar>& bars) {
+  for (std::size_t e = 0; tension_only_ && e < rest_lengths_.size(); ++e) {
+    if (is_left_out(e)) continue;
+    const Vec2 ab = x[e + 1] - x[e];
+    const double size = length(ab);
+    const Vec2 d = unit_or(ab, size, {0.0, -1.0});
+    bars.push_back(one_sided(e, d, bar(stage, x, e, size, -d), tensions[e], 1.0 / stage.inertia[e], size));
+  }
 }
 
 double Chain::active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {

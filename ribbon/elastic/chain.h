@@ -30,6 +30,8 @@ class Chain final : public Elasticity {
             int first_dual, std::span<Vec2> right_side) override;
   void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
               std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) override;
+  void append_bars(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                   std::vector<OneSidedBar>& bars) override;
   double active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) override;
   double potential(const Stage& stage, std::span<const Vec2> x, std::span<const double> max_tensions) override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ribbon/cord_def.h"
+#include "ribbon/elastic/link.h"
 #include "ribbon/elastic/stage.h"
 #include "ribbon/linear/block_ldlt.h"
 
@@ -81,6 +82,10 @@ class Elasticity {
   /// Writes the tensions after the step that solves the system: `direction` by point [m], `duals` by dual slot.
   virtual void update(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                       std::span<const Vec2> direction, std::span<const Vec2> duals, std::span<double> next) = 0;
+
+  /// Appends the bars that cannot push, for Stage::bars_are_rows, in the order of their tensions.
+  virtual void append_bars(const Stage& /*stage*/, std::span<const Vec2> /*x*/, std::span<const double> /*tensions*/,
+                           std::vector<OneSidedBar>& /*bars*/) {}
 
   /// Returns how far the last step moved points wrongly [m], because it took a bar that cannot push for slack or taut
   /// and the bar is not. A short Newton step is near the solution only if this is small too.

@@ -200,6 +200,15 @@ double Lattice::potential(const Stage& stage, std::span<const Vec2> x, std::span
   return sum;
 }
 
+void Lattice::append_bars(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                          std::vector<OneSidedBar>& bars) {
+  if (!tension_only_) return;
+  const Shape evaluated = shape(stage, x);
+  for_each_term([&](const Term& term, std::size_t first, std::size_t count) {
+    term.append_bars(evaluated, tensions.subspan(first, count), bars);
+  });
+}
+
 double Lattice::active_set_error(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions) {
   const auto is_taut = [](double tension) { return tension > 0.0; };
   if (!tension_only_ || std::all_of(tensions.begin(), tensions.end(), is_taut)) return 0.0;

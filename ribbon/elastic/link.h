@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "ribbon/vec2.h"
 
@@ -78,6 +79,25 @@ inline double exact_penalty(const MixedBar& bar, double max_tension) {
 /// such bars at once. Of a row of wrongly slack bars, each step would find only the first taut.
 inline bool is_slack(const MixedBar& bar, double tension, double point_compliance, double size) {
   return tension * std::max(0.0, point_compliance - bar.compliance) + bar.elongation < -slack_tolerance * size;
+}
+
+/// A bar that cannot push, between points `link` and `link` + 1 of a rope, as a row of a convex problem: in a step δ
+/// its tension is
+///
+///     λ = max(0, (elongation + dᵀ(δb − δa))/compliance).
+struct OneSidedBar {
+  std::size_t link;
+  Vec2 d;                   ///< unit vector from a to b
+  MixedBar bar;             ///< proximal, so with a compliance above 0
+  bool slack;               ///< whether it is likely to be slack after the step
+  double point_compliance;  ///< m/N, q²/m
+};
+
+/// Returns the row of a bar of this length `size` [m] and tension.
+inline OneSidedBar one_sided(std::size_t link, Vec2 d, const MixedBar& bar, double tension, double point_compliance,
+                             double size) {
+  return {link, d, proximal(bar, min_proximal_compliance * point_compliance, tension),
+          is_slack(bar, tension, point_compliance, size), point_compliance};
 }
 
 /// Returns how far [m] the last step moved a point of this compliance [m/N] wrongly. It took the bar for slack, and the

@@ -73,10 +73,12 @@ inline Links::Linearised Links::linearise(const Shape& shape, const Link& link, 
   const Vec2 d = unit_or(ab, size, {0.0, -1.0});
   const double q2_over_m = point_compliance(shape, link);
   const MixedBar exact = bar(shape, link, d);
+  const double across = size > 0.0 ? std::max(0.0, tension) / size : 0.0;
+  if (tension_only_ && shape.stage.bars_are_rows) return {d, 0.0, 0.0, across};
   if (tension_only_ && is_slack(exact, tension, q2_over_m, size)) return {d, 0.0, 0.0, 0.0};
   const MixedBar mixed = proximal(exact, min_proximal_compliance * q2_over_m, tension);
   const double stiffness = 1.0 / mixed.compliance;
-  return {d, stiffness * mixed.elongation, stiffness, size > 0.0 ? std::max(0.0, tension) / size : 0.0};
+  return {d, stiffness * mixed.elongation, stiffness, across};
 }
 
 void Links::load(const NewtonSystem& system, std::span<const double> tensions) {
@@ -131,6 +133,16 @@ void Links::update(const NewtonSystem& /*system*/, std::span<const double> /*ten
     const Linearised& linearised = linearised_[e];
     const Vec2 relative = vector(direction, link);
     next[e] = linearised.force + linearised.stiffness * dot(linearised.d, relative);
+  }
+}
+
+/// Only a rope has bars that cannot push: its bar e is its link e.
+void Links::append_bars(const Shape& shape, std::span<const double> tensions, std::vector<OneSidedBar>& bars) const {
+  for (std::size_t e = 0; tension_only_ && e < links_.size(); ++e) {
+    const Vec2 ab = vector(shape.x, links_[e]);
+    const double size = length(ab);
+    const Vec2 d = unit_or(ab, size, {0.0, -1.0});
+    bars.push_back(one_sided(e, d, bar(shape, links_[e], d), tensions[e], point_compliance(shape, links_[e]), size));
   }
 }
 

@@ -23,6 +23,7 @@ class Links final : public Term {
   void load(const NewtonSystem& system, std::span<const double> tensions) override;
   void update(const NewtonSystem& system, std::span<const double> tensions, std::span<const Vec2> direction,
               std::span<double> next) const override;
+  void append_bars(const Shape& shape, std::span<const double> tensions, std::vector<OneSidedBar>& bars) const override;
   double active_set_error(const Shape& shape, std::span<const double> tensions) const override;
   double potential(const Shape& shape, std::span<const double> max_tensions) const override;
   double energy(const Motion& motion, std::span<const double> tensions) const override;

@@ -61,6 +61,9 @@ struct Stage {
   /// Bars of chains are proximal() in coupled solves: where more is asked of an inextensible rope than is possible, its
   /// tensions stay small enough for a definite matrix.
   bool is_proximal = false;
+  /// Bars that cannot push are limited rows of a convex problem (OneSidedBar): a coupled system has only their
+  /// geometric stiffness.
+  bool bars_are_rows = false;
   std::span<const Block> resistance = {};  ///< N/m, by point, of a medium; empty without one
   bool implicit_euler = false;  ///< the stage is a step of implicit Euler: v = (x − x₀)/q with x₀ = x̃ − q·ṽ
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "ribbon/elastic/link.h"
 #include "ribbon/elastic/stage.h"
 #include "ribbon/linear/banded_ldlt.h"
 
@@ -86,6 +88,8 @@ class Term {
   /// Writes the tensions after the step `direction` [m] to `next`. The system must be the one that was loaded last.
   virtual void update(const NewtonSystem& /*system*/, std::span<const double> /*tensions*/,
                       std::span<const Vec2> /*direction*/, std::span<double> /*next*/) const {}
+  virtual void append_bars(const Shape& /*shape*/, std::span<const double> /*tensions*/,
+                           std::vector<OneSidedBar>& /*bars*/) const {}
   virtual double active_set_error(const Shape& /*shape*/, std::span<const double> /*tensions*/) const { return 0.0; }
   /// See Elasticity. For a quadratic term it is the energy at the damped positions, divided by the stiffening: its
   /// gradient is the sum of the elastic and the damping force.

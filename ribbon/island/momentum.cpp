@@ -66,6 +66,26 @@ Spin spin(const IslandState& state, std::span<const Vec2> x, std::span<const Vec
   return sum;
 }
 
+/// Limits spins such that a point at the radius of gyration, or in a groove, is not faster than `max` [m/s], unless the
+/// body turned as fast at the start of the substep. Returns whether one was faster.
+bool limit_spins(IslandState& state, double max) {
+  bool any = false;
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    const std::size_t angle = state.angle(k);
+    if (state.constrained[angle] != 0) continue;
+    double radius = std::sqrt(state.masses[angle] / state.masses[state.center(k)]);
+    for (const Wheel& wheel : state.wheels) {
+      if (wheel.solved_index == k) radius = std::max(radius, wheel.radius);
+    }
+    const double most = std::max(max / radius, std::abs(state.start.velocities[angle].x));
+    double& turning = state.velocities[angle].x;
+    if (!(std::abs(turning) > most)) continue;
+    turning = std::copysign(most, turning);
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
 
 void slow_down(IslandState& state, double excess) {
@@ -123,8 +143,8 @@ bool limit_speeds(IslandState& state) {
     pushed = std::max(pushed, max_medium_push(*member.cord, member.surroundings, state.dt, state.gravity).delta_v);
   }
   const double max = highest_start_speed(state) + gravity * state.dt + pushed;
-  bool any = false;
   state.add_damping(-1.0);
+  bool any = limit_spins(state, max);
   for (std::size_t p = 0; p < state.slots(); ++p) {
     if (!state.has_speed(p) || state.constrained[p] != 0) continue;
     const double speed = length(state.velocities[p]);

@@ -39,6 +39,8 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before, boo
     share = k + 1 < max_halvings ? 0.5 * share : 0.0;
     go_to(context, share);
   }
+  // At the start, depths that were already there may hold more energy than the forces that the piece began with.
+  if (!truncated && !is_sound()) context.contacts.linearised.forget_forces(context.contacts.forces);
   return true;
 }
 

@@ -77,14 +77,15 @@ ConvexSolver::Result ConvexSolver::solve_interior(const StageContext& context, c
       return Result::near;
     }
     if (interior_point_.gap() > polished) continue;
+    interior_point_.end(rows_.rows(), active_set_);
     if (interior_point_.gap() <= closed_gap) return Result::exact;
     load_ = right_side;
-    interior_point_.end(rows_.rows(), active_set_);
     if (solve_active_sets(context, stage)) return Result::exact;
     polished *= 1e-2;
     right_side = load_;
   }
-  return Result::exact;
+  interior_point_.end(rows_.rows(), active_set_);
+  return Result::near;
 }
 
 /// One iteration: a predictor and a corrector with the same factorisation.

@@ -49,8 +49,9 @@ void LinearisedStage::resize(std::size_t slots, std::size_t tensions) {
 }
 
 void LinearisedStage::reserve(const IslandState& state, const Contacts& contacts) {
-  solver_.reserve(2 * contacts.scene.pairs.capacity() + state.held.capacity(),
+  solver_.reserve(2 * contacts.scene.pairs.capacity() + state.tensions.capacity() + state.held.capacity(),
                   state.positions.capacity() + state.duals + state.held.capacity());
+  bar_rows_.reserve(state.tensions.capacity());
   solved_positions_.reserve(state.positions.capacity());
   solved_tensions_.reserve(state.tensions.capacity());
   solved_held_.reserve(state.held.capacity());
@@ -62,6 +63,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   for (HeldBody& held : state.held) held.limited = held.may_slip();
   begin(context, request);
   stage.min_geometric_ratio = Stage::definite_geometric_ratio;
+  stage.bars_are_rows = kind != ContactSolve::truncated;  // two active sets would not find which are slack
   Course course;
   const bool impact = kind == ContactSolve::linearised_impact;
   if (kind == ContactSolve::truncated) {
@@ -78,7 +80,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
     result.cut = !groups_.keep_apart(context, bounds, request.from);
-    if (result.cut && kind == ContactSolve::truncated) restore_lengths(context, bounds, request, stage);
+    if (result.cut && !result.converged) restore_lengths(context, bounds, request, stage);
     context.contacts.record_impacts(state.positions, request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
@@ -135,17 +137,18 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
   if (!(result.position_error <= NewtonSolver::max_displacement)) return Iteration::ended;
   result.force_error = inertia_force(context, stage);
   newton.store_corrections(state);
+  bar_rows_.take(solver_.rows(), newton.next_tensions());
   newton.raise_penalty();
   const double fraction = k < full_linearisations ? 1.0 : step_fraction(context, stage);
-  course.is_near = k > 0 && result.position_error <= state.tolerance && solved == ConvexSolver::Result::exact &&
-                   !newton.slip_began() && !others;
+  result.converged = k > 0 && result.position_error <= state.tolerance && solved == ConvexSolver::Result::exact &&
+                     !newton.slip_began() && !others;
   if (fraction == 0.0) return Iteration::ended;  // nearer to the solution than the energy can tell, or stuck
   newton.move(state, newton.trial(), fraction);
   state.positions.swap(newton.trial());
   newton.take_tensions(state);
   if (!contacts.empty()) contacts.take_forces(solver_.rows(), k < contact_searches);
   take_slip_rows(state, solver_.rows());
-  settle(context, request, stage, k, course);
+  settle(context, request, course);
   return Iteration::next;
 }
 
@@ -179,12 +182,10 @@ void LinearisedStage::truncate(const StageContext& context, const StageRequest& 
 }
 
 /// Judges whether the iterate is the solution. If contacts are missed in it, they are linearised and the solve goes on.
-void LinearisedStage::settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k,
-                             Course& course) {
+void LinearisedStage::settle(const StageContext& context, const StageRequest& request, Course& course) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
-  course.is_near = course.is_near && !became_stretched(state);
-  course.result.converged = course.is_near && context.newton.are_bars_settled(state, stage, k);
+  course.result.converged = course.result.converged && !became_stretched(state);
   if (!course.result.converged || course.misses >= max_misses || contacts.empty()) return;
   store_solved(context);
   if (!contacts.linearise_missed(request.from, state.positions, state.tolerance)) return;
@@ -192,18 +193,21 @@ void LinearisedStage::settle(const StageContext& context, const StageRequest& re
   course.result.converged = course.has_best = false;
 }
 
-/// If the solve did not end at a solution, returns to the last one that missed contacts, or to the best iterate.
+/// If the solve did not end at a solution, returns to the last one that missed contacts, or to the best iterate. What
+/// that has stretched gets its length back: otherwise the motion of its cord would be taken back.
 void LinearisedStage::end(const StageContext& context, const Stage& stage, Course& course) {
   bool& converged = course.result.converged;
-  converged = converged || course.is_near;
   if (converged) return;
   if (course.misses > 0) {
     return_to_solved(context);
     converged = true;
-  } else if (course.has_best) {
+    return;
+  }
+  if (course.has_best) {
     append_rows(context, stage);
     return_to_best(context, stage);
   }
+  link_lengths_.restore(context.state, stage.inertia);
 }
 
 /// An inextensible cord that turns is compressed at a share of its way. Lengths that are restored may take it through
@@ -224,6 +228,7 @@ void LinearisedStage::append_rows(const StageContext& context, const Stage& stag
   if (!context.contacts.empty()) {
     context.contacts.append_rows(context.state.positions, context.state.dt / stage.q, rows);
   }
+  if (stage.bars_are_rows) bar_rows_.append(context.state, stage, rows);
   append_slip_rows(context.state, stage.inertia, rows);
 }
 

@@ -8,6 +8,7 @@
 #include "ribbon/stage/contact_stage.h"
 #include "ribbon/stage/convex_solver.h"
 #include "ribbon/stage/motion_groups.h"
+#include "ribbon/system/bar_rows.h"
 #include "ribbon/system/link_lengths.h"
 
 namespace ribbon {
@@ -49,15 +50,14 @@ class LinearisedStage {
   struct Course {
     LinearisedResult result;
     bool has_best = false;
-    bool is_near = false;  // it is solved, except for bars that may be slack or taut
-    int misses = 0;        // times that contacts were linearised that the solution would have missed
+    int misses = 0;  // times that contacts were linearised that the solution would have missed
   };
   enum class Iteration { next, ended };
 
   void begin(const StageContext& context, const StageRequest& request) const;
   Iteration iterate(const StageContext& context, const StageRequest& request, Stage& stage, int k, Course& course);
   void truncate(const StageContext& context, const StageRequest& request, const Stage& stage, Course& course);
-  void settle(const StageContext& context, const StageRequest& request, const Stage& stage, int k, Course& course);
+  void settle(const StageContext& context, const StageRequest& request, Course& course);
   void end(const StageContext& context, const Stage& stage, Course& course);
   void restore_lengths(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
                        const Stage& stage);
@@ -71,6 +71,7 @@ class LinearisedStage {
   void return_to_solved(const StageContext& context) const;
 
   ConvexSolver solver_;
+  BarRows bar_rows_;
   std::vector<Vec2> best_;
   std::vector<double> best_tensions_;
   // A solution that may have missed contacts.

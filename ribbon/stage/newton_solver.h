@@ -52,7 +52,8 @@ class NewtonSolver {
 
   BlockSystem& system() { return system_; }
   std::vector<Vec2>& direction() { return direction_; }
-  const std::vector<double>& next_tensions() const { return next_; }
+  /// Returns the tensions after the step.
+  std::vector<double>& next_tensions() { return next_; }
   /// Swaps the tensions of the state with those after the step.
   void take_tensions(IslandState& state) { state.tensions.swap(next_); }
   /// Returns memory for positions that are tried.

@@ -106,7 +106,7 @@ TEST(ABreakingCord, HasTheSameBitsWithWorkersAndWithEstimates) {
     }
     for (int k = 0; k < 40; ++k) {
       if (k == 10) scene.coupling.cut({-1.0, -3.0}, {1.0, -3.2});
-      if (k == 20) scene.world.SetGravity({0.0F, -25.0F});
+      if (k == 20) scene.world.SetGravity({0.0F, -90.0F});
       scene.tick();
     }
   });

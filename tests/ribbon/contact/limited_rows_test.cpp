@@ -120,6 +120,23 @@ TEST(LimitedRows, InteriorPointAndActiveSetAfterItSolveAnyProblem) {
   EXPECT_LE(most, 40);
 }
 
+/// Otherwise the friction of a contact that has separated would be limited by what is left of its force.
+TEST(LimitedRows, NoForceIsLeftOfAContactThatHasSeparated) {
+  Problem problem(20, 40, 5);
+  std::vector<Vec2> step;
+  problem.active_set.begin(problem.rows.rows());
+  problem.solve_active_sets(step, 1);
+  problem.solve_interior(step, 1e-10);
+  problem.interior_point.end(problem.rows.rows(), problem.active_set);
+  int separated = 0;
+  for (const LimitedRow& row : problem.rows.rows()) {
+    if (row.has_high()) continue;
+    EXPECT_TRUE(row.force == 0.0 || row.force > 1e-6) << row.force;
+    if (row.force == 0.0) ++separated;
+  }
+  EXPECT_GT(separated, 0);
+}
+
 TEST(LimitedRows, TheSlopeOfThePotentialIsTheForce) {
   Problem problem(5, 12, 3);
   Dice dice(11);
