@@ -272,7 +272,7 @@ std::vector<Move> long_line() {
           throw_at({13.0, 13.5}, right),
           swing_line_and_let_go(right, 0.62),
           throw_at({24.0, 14.0}, right),
-          swing_line_and_let_go(right, 0.48),
+          swing_line_and_let_go(right, 0.5),
           throw_at({34.0, 14.5}, right),
           swing_line_and_let_go(right, 0.5),
           run_past(44.5),
