@@ -80,7 +80,8 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
     result.cut = !groups_.keep_apart(context, bounds, request.from);
-    if (result.cut && !result.converged) restore_lengths(context, bounds, request, stage);
+    const bool restores = kind == ContactSolve::truncated || (!result.converged && state.wheels.empty());
+    if (result.cut && restores) restore_lengths(context, bounds, request, stage);
     context.contacts.record_impacts(state.positions, request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
@@ -194,7 +195,8 @@ void LinearisedStage::settle(const StageContext& context, const StageRequest& re
 }
 
 /// If the solve did not end at a solution, returns to the last one that missed contacts, or to the best iterate. What
-/// that has stretched gets its length back: otherwise the motion of its cord would be taken back.
+/// that has stretched gets its length back: otherwise the motion of its cord would be taken back. Not at a wheel, where
+/// lengths are not those of links alone.
 void LinearisedStage::end(const StageContext& context, const Stage& stage, Course& course) {
   bool& converged = course.result.converged;
   if (converged) return;
@@ -207,7 +209,7 @@ void LinearisedStage::end(const StageContext& context, const Stage& stage, Cours
     append_rows(context, stage);
     return_to_best(context, stage);
   }
-  link_lengths_.restore(context.state, stage.inertia);
+  if (context.state.wheels.empty()) link_lengths_.restore(context.state, stage.inertia);
 }
 
 /// An inextensible cord that turns is compressed at a share of its way. Lengths that are restored may take it through

@@ -329,7 +329,7 @@ TEST(CouplingState, FindsItsBodiesAndFixturesAmongMany) {
   scene.coupling.hold(late, {.cord = 0, .arc = 0.3});
   scene.coupling.hold(*many[7], {.cord = 0, .arc = 1.7});
   scene.coupling.hold(late, {.cord = 0, .arc = 0.4});
-  scene.tick(10);
+  scene.tick(5);
   const State state = scene.coupling.save(scene.world);
   ASSERT_EQ(state.grips.size(), 4U);
   const std::vector<int> bodies = {state.grips[0].body, state.grips[1].body, state.grips[2].body, state.grips[3].body};
