@@ -49,7 +49,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
         continue;
       }
       // Nearer to the solution than the energy can tell, or stuck.
-      return taken.small && drive_left_ == 0.0 && is_solution(context, request);
+      return taken.small && drive_left_ == 0.0 && is_solution(context, request, stage);
     }
     strict = !strict && taken.crawls;
     state.positions.swap(newton.trial());
@@ -60,7 +60,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
     if (iteration < max_length_iterations && !state.driven && became_stretched(state)) continue;
     if (contacts.are_settled(state.positions, tolerated) ||
         (soft && full_steps >= enough_full_steps && contacts.active.are_shallow(contacts.scene.pairs))) {
-      return is_solution(context, request);
+      return is_solution(context, request, stage);
     }
   }
   return false;
@@ -144,8 +144,13 @@ double ContactStage::search(const StageContext& context, const Stage& stage, dou
 }
 
 /// Returns whether the positions may be the solution: the path to them from the start of the stage goes through
-/// nothing. Whatever touches now has been hit in the stage.
-bool ContactStage::is_solution(const StageContext& context, const StageRequest& request) const {
+/// nothing. Whatever touches now has been hit in the stage. What links are still stretched by, within the tolerance, is
+/// taken back.
+bool ContactStage::is_solution(const StageContext& context, const StageRequest& request, const Stage& stage) {
+  IslandState& state = context.state;
+  if (!state.driven && state.wheels.empty() && became_stretched(state, LinkLengths::restored_strain)) {
+    link_lengths_.restore(state, stage.inertia);
+  }
   context.contacts.active.update(context.contacts.scene, context.state.positions);
   context.contacts.record_impacts(context.state.positions, request.time_weight);
   return context.contacts.sweep.path_is_clear(context.contacts.scene, request.from, context.state.positions);

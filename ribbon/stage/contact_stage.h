@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ribbon/stage/newton_solver.h"
+#include "ribbon/system/link_lengths.h"
 
 namespace ribbon {
 
@@ -20,6 +21,7 @@ struct StageRequest {
 /// before ended and go as far as they can towards the guess; what is driven moves along with them.
 class ContactStage {
  public:
+  void resize(std::size_t slots) { link_lengths_.resize(slots); }
   /// Returns false if it did not converge; the state is then the last iterate.
   bool solve(const StageContext& context, const StageRequest& request, const Stage& stage);
 
@@ -36,8 +38,9 @@ class ContactStage {
   void advance_kinematics(const StageContext& context, std::span<const Vec2> predicted);
   Taken take_step(const StageContext& context, const Stage& stage, double moved, int iteration);
   double search(const StageContext& context, const Stage& stage, double fraction, int iteration);
-  bool is_solution(const StageContext& context, const StageRequest& request) const;
+  bool is_solution(const StageContext& context, const StageRequest& request, const Stage& stage);
 
+  LinkLengths link_lengths_;
   double drive_left_ = 0.0;     // share of the displacement of what is driven that is still to come
   std::vector<double> values_;  // of the energy, in the last iterations
 };

@@ -195,21 +195,20 @@ void LinearisedStage::settle(const StageContext& context, const StageRequest& re
 }
 
 /// If the solve did not end at a solution, returns to the last one that missed contacts, or to the best iterate. What
-/// that has stretched gets its length back: otherwise the motion of its cord would be taken back. Not at a wheel, where
-/// lengths are not those of links alone.
+/// that has stretched gets its length back: otherwise the motion of its cord would be taken back. So does what the
+/// tolerance has left of a stretch. Not at a wheel, where lengths are not those of links alone.
 void LinearisedStage::end(const StageContext& context, const Stage& stage, Course& course) {
+  IslandState& state = context.state;
   bool& converged = course.result.converged;
-  if (converged) return;
-  if (course.misses > 0) {
+  if (!converged && course.misses > 0) {
     return_to_solved(context);
     converged = true;
-    return;
-  }
-  if (course.has_best) {
+  } else if (!converged && course.has_best) {
     append_rows(context, stage);
     return_to_best(context, stage);
   }
-  if (context.state.wheels.empty()) link_lengths_.restore(context.state, stage.inertia);
+  const bool is_exact = converged && (state.driven || !became_stretched(state, LinkLengths::restored_strain));
+  if (!is_exact && state.wheels.empty()) link_lengths_.restore(state, stage.inertia);
 }
 
 /// An inextensible cord that turns is compressed at a share of its way. Lengths that are restored may take it through

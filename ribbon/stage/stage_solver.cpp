@@ -16,6 +16,7 @@ void StageSolver::resize(std::size_t slots, std::size_t tensions, std::size_t gr
   force_.resize(slots);
   newton_.resize(slots, tensions, grips);
   free_stage_.resize(slots, tensions);
+  contact_stage_.resize(slots);
   linearised_stage_.resize(slots, tensions);
 }
 

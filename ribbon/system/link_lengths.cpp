@@ -8,9 +8,8 @@
 namespace ribbon {
 namespace {
 
-constexpr int max_iterations = 3;         // more give cords of heaps more energy
-constexpr double restored_strain = 1e-3;  // at which a cord needs no further iteration
-constexpr double softening = 1e-6;        // of the diagonal: a taut cord between two fixed points has no solution
+constexpr int max_iterations = 3;   // more give cords of heaps more energy
+constexpr double softening = 1e-6;  // of the diagonal: a taut cord between two fixed points has no solution
 
 }  // namespace
 

@@ -19,6 +19,8 @@ namespace ribbon {
 /// that are constrained, tied or held by bodies do not move.
 class LinkLengths {
  public:
+  static constexpr double restored_strain = 1e-3;  ///< at which a cord needs no further iteration
+
   void resize(std::size_t slots);
   /// Changes the positions. `inertia` is that of the stage, by slot, N/m.
   void restore(IslandState& state, std::span<const double> inertia);

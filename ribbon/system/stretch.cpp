@@ -39,8 +39,8 @@ double largest_strain(const IslandState& state, std::span<const Vec2> x) {
   return max;
 }
 
-bool became_stretched(const IslandState& state) {
-  return largest_strain(state, state.positions) > std::max(max_strain, largest_strain(state, state.start.positions));
+bool became_stretched(const IslandState& state, double strain) {
+  return largest_strain(state, state.positions) > std::max(strain, largest_strain(state, state.start.positions));
 }
 
 bool is_stretched(const IslandState& state, const Member& member) {

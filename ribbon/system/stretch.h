@@ -13,8 +13,8 @@ inline constexpr double max_strain = 5e-3;
 double largest_strain(const Member& member, std::span<const Vec2> x);
 /// Returns the largest strain, also by compression unless `tension_only`, of an inextensible cord's links at `x`; or 0.
 double largest_strain(const IslandState& state, std::span<const Vec2> x);
-/// Returns whether an inextensible cord has become stretched in the substep.
-bool became_stretched(const IslandState& state);
+/// Returns whether an inextensible cord has become stretched in the substep by more than this strain.
+bool became_stretched(const IslandState& state, double strain = max_strain);
 /// Returns whether a cord is inextensible and stretched, and more than at the start of the substep.
 bool is_stretched(const IslandState& state, const Member& member);
 /// Returns whether a cord is. It is always false if something moves further in a step than the shortest cord is long.

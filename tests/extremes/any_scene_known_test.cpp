@@ -39,6 +39,7 @@ const Known scenes[] = {
     {"WhatGainedGoesBack", gentle(Family::ribbons_both, 17, Preset::accurate), "gain of energy", gain, 3e-3},
     {"WhatIsStretchedGoesBack", gentle(Family::mixed, 16, Preset::balanced), "stretch", stretch, 1e-2},
     {"WhatIsStretchedIsNotStretchedMore", gentle(Family::rope_self, 79, Preset::fast), "stretch", stretch, 1e-2},
+    {"WhatIsSolvedIsNotStretched", gentle(Family::rope_self, 118, Preset::fast), "stretch", stretch, 1e-2},
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
     {"WhatSlipsPastABendIsNotThrown", gentle(Family::grips_slip, 67, Preset::balanced), "gain of energy", gain, 1e-2},
