@@ -22,7 +22,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"asleep", build_asleep, drive_asleep, 220, 0x92f1a7f546f39269},
     {"ties", build_ties, drive_ties, 120, 0xc8f79ca6b7554f30},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
-    {"listener", build_listener, nullptr, 180, 0x175560bdcdb73aef},
+    {"listener", build_listener, nullptr, 180, 0x9b8f3c3635d7e4a6},
     {"pulleys", build_pulleys, drive_pulleys, 120, 0x717ed5c667e562b0},
     {"wind", build_wind, drive_wind, 150, 0xf09d88afaacb4248},
 }};
