@@ -100,10 +100,14 @@ void EnergyGuard::find_scale(const IslandState& state) {
     longest = std::max(longest, member.cord->def.length);
     scale = std::max(scale, std::abs(member.cord->def.gravity_scale));
   }
+  double loads = 0.0;
+  for (const Member& member : state.members) {
+    for (const Vec2 load : member.cord->state.loads) loads += length(load);
+  }
   for (std::size_t p = 0; p < state.points; ++p) mass += state.masses[p];
   for (std::size_t k = 0; k < state.bodies.size(); ++k) mass += state.masses[state.center(k)];
   const double noise = noise_displacement * state.tolerance / state.dt;
-  weight_scale_ = mass * (scale * length(state.gravity) * longest + noise * noise);
+  weight_scale_ = (scale * mass * length(state.gravity) + loads) * longest + mass * noise * noise;
 }
 
 void EnergyGuard::store(const IslandState& state) const {

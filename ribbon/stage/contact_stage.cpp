@@ -150,6 +150,7 @@ bool ContactStage::is_solution(const StageContext& context, const StageRequest& 
   IslandState& state = context.state;
   if (!state.driven && state.wheels.empty() && became_stretched(state, LinkLengths::restored_strain)) {
     link_lengths_.restore(state, stage.inertia);
+    if (became_stretched(state, state.accuracy.soft_contacts ? max_strain : LinkLengths::restored_strain)) return false;
   }
   context.contacts.active.update(context.contacts.scene, context.state.positions);
   context.contacts.record_impacts(context.state.positions, request.time_weight);

@@ -80,8 +80,10 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
     result.cut = !groups_.keep_apart(context, bounds, request.from);
-    const bool restores = kind == ContactSolve::truncated || (!result.converged && state.wheels.empty());
-    if (result.cut && restores) restore_lengths(context, bounds, request, stage);
+    const bool truncated = kind == ContactSolve::truncated;
+    if (result.cut && (truncated || state.wheels.empty())) {
+      restore_lengths(context, bounds, request, stage, truncated ? max_strain : LinkLengths::restored_strain);
+    }
     context.contacts.record_impacts(state.positions, request.time_weight);
   }
   result.converged = result.converged || (impact && result.position_error < std::numeric_limits<double>::infinity());
@@ -214,9 +216,9 @@ void LinearisedStage::end(const StageContext& context, const Stage& stage, Cours
 /// An inextensible cord that turns is compressed at a share of its way. Lengths that are restored may take it through
 /// something again.
 void LinearisedStage::restore_lengths(const StageContext& context, const MotionBounds& bounds,
-                                      const StageRequest& request, const Stage& stage) {
+                                      const StageRequest& request, const Stage& stage, double tolerated) {
   IslandState& state = context.state;
-  for (int k = 0; k < length_restorations && largest_strain(state, state.positions) > max_strain; ++k) {
+  for (int k = 0; k < length_restorations && largest_strain(state, state.positions) > tolerated; ++k) {
     link_lengths_.restore(state, stage.inertia);
     if (groups_.keep_apart(context, bounds, request.from)) return;
   }
