@@ -150,11 +150,11 @@ void LinearisedStep::end_piece(const StepContext& context, const Piece& piece, d
 bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, double dt, Restitution& restitution) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
-  const bool belong_to_shape = piece.solved && !piece.result.cut;
-  if (!piece.truncated && !belong_to_shape) rollback_.fit_tensions(context);
+  const bool fits_shape = piece.solved && !piece.result.cut;
+  if (!piece.truncated && !fits_shape) rollback_.fit_tensions(context);
   context.guard.remove_spurious_energy(state, contacts, piece.before);
   if (piece.truncated) rollback_.fit_tensions(context);
-  bool changed = rollback_.apply(context, piece.before, piece.truncated);
+  bool changed = rollback_.apply(context, piece.before, contact_energy_, piece.truncated);
   if (!contacts.empty()) {
     restitution.apply(context, piece.before, dt);
     restore_momentum(state, contacts);
