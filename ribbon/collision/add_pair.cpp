@@ -13,7 +13,6 @@ namespace {
 constexpr double deep_share = 0.01;
 constexpr double depenetrated_share = 0.1;       // of such a depth, by which the step lets it out,
 constexpr double max_depenetration_speed = 1.0;  // m/s, but no faster
-constexpr double depenetration_work = 1e-4;      // of the cords' energy by weight, that a contact's force may do then
 constexpr double negligible_way = 1e-3;  // of a direction's length: less is that of a straight rope, or rounding
 
 /// m, where an anchor is at the start of the step.
@@ -35,15 +34,12 @@ void restore_touch(const Member& member, ContactPair& pair) {
 }
 
 /// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
-/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several. So does
-/// one that a force holds, because letting it out is work.
+/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
 void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
   const double depth = pair.contact_distance - distance;
   if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
   pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
-  double max_in = state.dt * max_depenetration_speed;
-  const double work = depenetration_work * state.cord_energy;
-  if (pair.touch.force > 0.0 && work > 0.0) max_in = std::min(max_in, work / pair.touch.force);
+  const double max_in = state.dt * max_depenetration_speed;
   if (pair.initial_penetration > max_in) {
     pair.contact_distance -= pair.initial_penetration - max_in;
     pair.initial_penetration = max_in;
@@ -115,8 +111,8 @@ void add_pair(const IslandState& state, Contacts& contacts, const Member& member
   if (pair.is_mutual && gap.distance <= ContactPair::coincident_share * pair.contact_distance) {
     pair.parting = parting_direction(state, pair, gap);
   }
-  const double size = std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]);
-  limit_penetration(state, gap.distance, size, pair);
+  limit_penetration(state, gap.distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
+                    pair);
   contacts.scene.add(pair);
 }
 

@@ -93,8 +93,19 @@ void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
 }
 
 void EnergyGuard::find_scale(const IslandState& state) {
+  double mass = 0.0;
+  double longest = 0.0;
+  double loads = 0.0;
+  double scale = 1.0;  // bodies fall with the world's gravity
+  for (const Member& member : state.members) {
+    longest = std::max(longest, member.cord->def.length);
+    scale = std::max(scale, std::abs(member.cord->def.gravity_scale));
+    for (const Vec2 load : member.cord->state.loads) loads += length(load);
+  }
+  for (std::size_t p = 0; p < state.points; ++p) mass += state.masses[p];
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) mass += state.masses[state.center(k)];
   const double noise = noise_displacement * state.tolerance / state.dt;
-  weight_scale_ = state.mass * (state.fall_energy + noise * noise) + state.load_energy;
+  weight_scale_ = mass * (scale * length(state.gravity) * longest + noise * noise) + loads * longest;
 }
 
 void EnergyGuard::store(const IslandState& state) const {

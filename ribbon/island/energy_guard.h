@@ -53,7 +53,7 @@ class EnergyGuard {
 
   double regainable_ = 0.0;    // J, lost in recent substeps; negative if gained
   double drift_ = 0.0;         // J, lost since the cords were created; negative if gained
-  double weight_scale_ = 0.0;  // J, M·g·L
+  double weight_scale_ = 0.0;  // J, M·g·L, and so for loads
   Energy after_;
 };
 

@@ -154,7 +154,7 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
   if (!piece.truncated && !fits_shape) rollback_.fit_tensions(context);
   context.guard.remove_spurious_energy(state, contacts, piece.before);
   if (piece.truncated) rollback_.fit_tensions(context);
-  bool changed = rollback_.apply(context, piece.before, contact_energy_, piece.truncated);
+  bool changed = rollback_.apply(context, piece.before, piece.truncated);
   if (!contacts.empty()) {
     restitution.apply(context, piece.before, dt);
     restore_momentum(state, contacts);

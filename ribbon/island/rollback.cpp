@@ -21,7 +21,7 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
   offsets_.resize(tensions);
 }
 
-bool Rollback::apply(const StepContext& context, const Cord::Energy& before, double contact_energy, bool truncated) {
+bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
   IslandState& state = context.state;
   // Of a way that drives make, nothing can be taken back.
   const bool moved = state.frame_velocity != Vec2{};
@@ -33,33 +33,15 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before, dou
   if (truncated) context.contacts.linearised.forget_forces(context.contacts.forces);
   take_stretched_back(context);
   if (is_sound()) return true;
-  const double spurious = truncated ? 0.0 : find_spurious_energy(context, contact_energy);
-  const auto is_no_worse = [&] {
-    context.contacts.active.update(context.contacts.scene, state.positions);
-    Cord::Energy most = before;
-    most.potential += std::min(spurious, context.contacts.energy());
-    return !context.gained_energy(most, tolerated_gain) && !is_stretched(state);
-  };
+  if (!truncated) context.contacts.linearised.clear();
   double share = 1.0;
-  for (int k = 0; k < max_halvings && !is_no_worse(); ++k) {
+  for (int k = 0; k < max_halvings && !is_sound(); ++k) {
     share = k + 1 < max_halvings ? 0.5 * share : 0.0;
     go_to(context, share);
   }
-  // Those depths get no forces, which would have their energy.
+  // At the start, depths that were already there may hold more energy than the forces that the piece began with.
   if (!truncated && !is_sound()) context.contacts.linearised.forget_forces(context.contacts.forces);
   return true;
-}
-
-/// Returns the energy, J, of depths at the start of the piece of which the stored forces, whose energy is
-/// `contact_energy`, do not tell: those that unsolved pieces have left. It is none that the piece has gained. Motion
-/// may not get it, but may leave it in the depths. Without this, such a start could not be left.
-double Rollback::find_spurious_energy(const StepContext& context, double contact_energy) {
-  context.contacts.linearised.clear();
-  go_to(context, 0.0);
-  context.contacts.active.update(context.contacts.scene, context.state.positions);
-  const double spurious = context.contacts.energy() - contact_energy;
-  go_to(context, 1.0);
-  return std::max(0.0, spurious);
 }
 
 void Rollback::fit_tensions(const StepContext& context) {

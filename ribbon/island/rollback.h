@@ -13,10 +13,10 @@ class Rollback {
   void resize(std::size_t slots, std::size_t tensions);
   /// Takes the motion of each cord that is stretched back by halves, and with it what would come into its way. If the
   /// island has still gained energy since `before`, all of it goes back by halves, in the end to the start of the
-  /// piece. `contact_energy` [J] is the part of `before` that contacts have. While something drives the island, energy
-  /// tells nothing, and only speeds are limited. After a truncated solve the contacts forget their forces, and energy
-  /// is taken back whatever was stretched before. Returns whether something was changed.
-  bool apply(const StepContext& context, const Cord::Energy& before, double contact_energy, bool truncated);
+  /// piece. While something drives the island, energy tells nothing, and only speeds are limited. After a truncated
+  /// solve the contacts forget their forces, and energy is taken back whatever was stretched before. Returns whether
+  /// something was changed.
+  bool apply(const StepContext& context, const Cord::Energy& before, bool truncated);
   /// Sets the tensions of extensible cords to those of their shapes, as far as the piece has changed these. The
   /// tensions of a solve that was truncated or did not end, or of which something was stopped, belong to other shapes,
   /// and have another energy.
@@ -24,7 +24,6 @@ class Rollback {
 
  private:
   void begin(const StepContext& context);
-  double find_spurious_energy(const StepContext& context, double contact_energy);
   void take_stretched_back(const StepContext& context);
   void go_to(const StepContext& context, double share);
 

@@ -132,10 +132,6 @@ struct IslandState {
   bool jolted = false;        ///< a cord that runs through a groove changes its speed at once
   bool touch_changed = false;  ///< a contact began or ended in the last substep
   double now = 0.0;            ///< s, of the positions, since the step began
-  double mass = 0.0;           ///< kg, of the cords and of the dynamic bodies that are solved with them
-  double fall_energy = 0.0;    ///< J/kg, of a fall by the length of the longest cord, a measure of energies
-  double load_energy = 0.0;    ///< J, of the cords' loads along that length
-  double cord_energy = 0.0;    ///< J, both of the cords alone
   Vec2 frame_velocity;  ///< m/s, of the inertial frame in which all that drives is at rest, so that it does no work
 
   // By slot:

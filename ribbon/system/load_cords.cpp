@@ -228,26 +228,6 @@ void load_body(IslandState& state, std::size_t k) {
   }
 }
 
-void find_weight(IslandState& state) {
-  double longest = 0.0;
-  double loads = 0.0;
-  double scale = 1.0;  // bodies fall with the world's gravity
-  state.mass = 0.0;
-  for (const Member& member : state.members) {
-    longest = std::max(longest, member.cord->def.length);
-    scale = std::max(scale, std::abs(member.cord->def.gravity_scale));
-    for (const Vec2 load : member.cord->state.loads) loads += length(load);
-  }
-  for (std::size_t p = 0; p < state.points; ++p) state.mass += state.masses[p];
-  state.fall_energy = scale * length(state.gravity) * longest;
-  state.load_energy = loads * longest;
-  state.cord_energy = state.mass * state.fall_energy + state.load_energy;
-  for (const SolvedBody& solved : state.bodies) {
-    const RigidBody& body = state.rigid_of(solved);
-    if (body.inverse_mass > 0.0) state.mass += 1.0 / body.inverse_mass;
-  }
-}
-
 /// Reads the acceleration of a body that held the same point in the last step. It is out of date if something else has
 /// changed the body's velocity since then.
 void load_body_accelerations(IslandState& state, const Member& member) {
@@ -301,13 +281,11 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
     state.unlocking = member.cord->elasticity->unlock(member.cord->state.positions) || state.unlocking;
   }
   load_ties(state, tied);
-  find_weight(state);
 }
 
 void load_bodies(IslandState& state) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) load_body(state, k);
   load_wheels(state);
-  find_weight(state);
   for (const Member& member : state.members) load_body_accelerations(state, member);
   state.coupled = !is_single_cord(state);
 }

@@ -45,7 +45,6 @@ const Known scenes[] = {
     {"FreeLinksKeepTheirLengths", gentle(Family::hold_between, 2021, Preset::balanced), "stretch", stretch, 1e-3},
     {"WhatIsNotSolvedMovesOn", gentle(Family::grips_slip, 2036, Preset::accurate), "unconverged substeps", unconverged,
      30},
-    {"PressedDepthsComeOutSlowly", gentle(Family::ropes_both, 2044, Preset::balanced), "gain of energy", gain, 1e-2},
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
     {"WhatSlipsPastABendIsNotThrown", gentle(Family::grips_slip, 67, Preset::balanced), "gain of energy", gain, 1e-2},
