@@ -145,7 +145,7 @@ double ContactStage::search(const StageContext& context, const Stage& stage, dou
 
 /// Returns whether the positions may be the solution: the path to them from the start of the stage goes through
 /// nothing. Whatever touches now has been hit in the stage. What links are still stretched by, within the tolerance, is
-/// taken back.
+/// taken back; if it cannot be, there is no solution.
 bool ContactStage::is_solution(const StageContext& context, const StageRequest& request, const Stage& stage) {
   IslandState& state = context.state;
   if (!state.driven && state.wheels.empty() && became_stretched(state, LinkLengths::restored_strain)) {
