@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ribbon/system/grips.h"
-#include "ribbon/system/link_lengths.h"
 #include "ribbon/system/stretch.h"
 #include "ribbon/system/wheels.h"
 
@@ -187,7 +186,7 @@ bool FreeStage::full_steps(const StageContext& context, const Stage& stage) {
     if (!(moved <= NewtonSolver::max_displacement)) return false;
     newton.move(state, state.positions, 1.0);
     newton.take_tensions(state);
-    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state, LinkLengths::restored_strain) &&
+    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
         newton.are_bars_settled(state, stage, iteration)) {
       return true;
     }
@@ -218,7 +217,7 @@ bool FreeStage::searched_steps(const StageContext& context, const Stage& stage) 
     }
     state.positions.swap(newton.trial());
     newton.take_tensions(state);
-    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state, LinkLengths::restored_strain) &&
+    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
         newton.are_bars_settled(state, stage, iteration)) {
       return true;
     }

@@ -12,7 +12,7 @@ using ribbon::box2d::Coupling;
 
 constexpr std::array<BitScene, 14> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
-    {"terms", build_terms, nullptr, 180, 0x1f093ee30310663a},
+    {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
     {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
     {"contacts", build_contacts, nullptr, 150, 0x47de701ab44ac2ee},
     {"grips", build_grips, drive_grips, 180, 0x93df58580d9e85ed},

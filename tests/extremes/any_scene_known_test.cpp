@@ -42,7 +42,6 @@ const Known scenes[] = {
     {"WhatIsSolvedIsNotStretched", gentle(Family::rope_self, 118, Preset::fast), "stretch", stretch, 1e-2},
     {"WhatStaysStretchedIsNoSolution", gentle(Family::grips_slip, 2028, Preset::fast), "stretch", stretch, 1e-2},
     {"WhatIsCutShortIsNotCompressed", gentle(Family::mixed, 2043, Preset::balanced), "stretch", stretch, 1e-3},
-    {"FreeLinksKeepTheirLengths", gentle(Family::hold_between, 2021, Preset::balanced), "stretch", stretch, 1e-3},
     {"WhatIsNotSolvedMovesOn", gentle(Family::grips_slip, 2036, Preset::accurate), "unconverged substeps", unconverged,
      30},
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
