@@ -117,12 +117,13 @@ class Coupling {
   /// Returns the handle of a grip for reading.
   GripView grip(GripId grip) const { return {*parts_, grip}; }
   /// Ties a point of a cord to one of another cord: from the next tick on they move as one, with the velocity that
-  /// keeps their momentum. Points that are apart are drawn together over several ticks, at up to 2 m/s. The cords do
-  /// not touch each other within three radii of a tie. A tie ends when it is untied, when it breaks, when a cut makes
-  /// its end dust (see CordRef::cut), and when one of its cords is removed, replaced or disabled. Throws CallError, and
-  /// changes nothing, for a cord that does not exist, is disabled or of the thesis's solver, for a tie of a cord to
-  /// itself, directly or through others, or of points that are tied, inside world.Step and between gather and apply;
-  /// DefinitionError for an unknown point and a breaking force that is not above 0.
+  /// keeps their momentum. Points that are apart are drawn together over several ticks, at up to 2 m/s; if the cords
+  /// are too short for that, they keep their distance. The cords do not touch each other within three radii of a tie. A
+  /// tie ends when it is untied, when it breaks, when a cut makes its end dust (see CordRef::cut), and when one of its
+  /// cords is removed, replaced or disabled. Throws CallError, and changes nothing, for a cord that does not exist, is
+  /// disabled or of the thesis's solver, for a tie of a cord to itself, directly or through others, or of points that
+  /// are tied, inside world.Step and between gather and apply; DefinitionError for an unknown point and a breaking
+  /// force that is not above 0.
   TieId tie(const TieDef& def);
   /// Returns the handle of a tie, existing or not.
   TieRef tie(TieId tie) { return {*parts_, tie}; }

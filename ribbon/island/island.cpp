@@ -7,6 +7,7 @@
 #include "ribbon/linear/index.h"
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
+#include "ribbon/system/stretch.h"
 #include "ribbon/system/wheel_end.h"
 #include "ribbon/system/wheel_points.h"
 
@@ -20,8 +21,9 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 
 }  // namespace
 
-/// A step in which something leaves its motion bound is redone with a larger one. A step in which a substep does not
-/// converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
+/// A step in which something leaves its motion bound is redone with a larger one. If tied points that close
+/// stretch a cord, or a substep does not converge, it is redone with them at their distance. A step in which a substep
+/// does not converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -36,13 +38,17 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       std::any_of(cords.begin(), cords.end(), [](const IslandCord& cord) { return cord.records_pushes; }));
   work_ = {};
   bounds_.begin_step(cords.size());
-  const bool closes_ties = bring_together(cords, tied);
+  bring_together(cords, tied);
   move_points_over_wheels(cords, tied, bodies, dt, true);
+  bool closes_ties = true;
   int settled = 0;
   for (bool linearised = false;;) {
-    begin_attempt(cords, tied);
-    state_.driven = state_.driven || closes_ties || (state_.unlocking && !linearised && !truncates(linearised));
-    if (!take_substeps(linearised)) {
+    begin_attempt(cords, tied, closes_ties);
+    state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
+    const bool solved = take_substeps(linearised);
+    if (state_.ties.closing && !linearised && (!solved || is_stretched(state_))) {
+      closes_ties = false;
+    } else if (!solved) {
       linearised = true;
       bounds_.enlarge_for_linearised();
     } else if ((linearised || !bounds_.enlarge(state_)) && (++settled == max_settled || settle_wheels(state_))) {
@@ -57,8 +63,8 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   return work_.report;
 }
 
-void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
-  load_cords(state_, cords, tied);
+void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, bool closes_ties) {
+  load_cords(state_, cords, tied, closes_ties);
   guard_.begin_step(state_);
   stages_.begin_step();
   candidates_.find(state_, bounds_, contacts_);
@@ -70,6 +76,7 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
   if (bounds_.enabled()) bounds_.store_start(state_);
   if (bounds_.enabled() || state_.coupled) stages_.reserve_linearised(state_, contacts_);
   EnergyGuard::find_frame(state_, contacts_);
+  state_.driven = state_.driven || state_.ties.closing;
   guard_.find_scale(state_);
   work_.begin_attempt(state_);
 }

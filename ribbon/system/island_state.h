@@ -86,6 +86,7 @@ struct IslandTies {
   std::vector<TiedSlot> slots;     ///< all but the first of each group, ascending, with the first
   std::vector<TiedPoint> by_cord;  ///< all, ascending by cord and point; a group is its first slot
   std::vector<TieGap> gaps;        ///< of slots that are apart
+  bool closing = false;            ///< a gap is reduced in this step
   DisjointSets connected;          ///< members that ties connect
 
   bool any() const { return !slots.empty(); }

@@ -8,6 +8,7 @@
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/stretch.h"
 #include "ribbon/system/wheels.h"
 
 namespace ribbon {
@@ -37,6 +38,7 @@ void reset(IslandState& state) {
   state.ties.slots.clear();
   state.ties.by_cord.clear();
   state.ties.gaps.clear();
+  state.ties.closing = false;
   state.points = 0;
   state.duals = 0;
 }
@@ -128,8 +130,37 @@ double pressing_mass(const IslandState& state, const Member& member) {
   return mass + heaviest;
 }
 
+/// Finds which cords ties connect.
+void connect_ties(IslandState& state, std::span<const TiedPoint> tied) {
+  DisjointSets& connected = state.ties.connected;
+  connected.begin(state.members.size());
+  for (std::size_t k = 1; k < tied.size(); ++k) {
+    if (tied[k].group == tied[k - 1].group) connected.join(at(tied[k - 1].cord), at(tied[k].cord));
+  }
+}
+
+/// Adds up the masses that press cords against something over all that ties connect: what hangs from a cord presses it.
+void join_pressing_masses(IslandState& state) {
+  DisjointSets& connected = state.ties.connected;
+  std::vector<Member>& members = state.members;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    if (const std::size_t of = connected.root(m); of != m) members[of].pressing_mass += members[m].pressing_mass;
+  }
+  for (std::size_t m = 0; m < members.size(); ++m) members[m].pressing_mass = members[connected.root(m)].pressing_mass;
+}
+
+/// Returns whether an inextensible rope is stretched that ties connect with a cord. It holds what they draw back.
+bool is_held_back(IslandState& state, int cord) {
+  DisjointSets& connected = state.ties.connected;
+  const std::size_t root = connected.root(at(cord));
+  for (std::size_t m = 0; m < state.members.size(); ++m) {
+    if (connected.root(m) == root && largest_strain(state.members[m], state.positions) > max_strain) return true;
+  }
+  return false;
+}
+
 /// What one point of a group does, all do. If one is driven, the others are driven beside it.
-void load_group(IslandState& state, std::span<const TiedPoint> group) {
+void load_group(IslandState& state, std::span<const TiedPoint> group, bool closes) {
   const auto slot_of = [&](const TiedPoint& tied) { return state.members[at(tied.cord)].first_point + at(tied.point); };
   const int first = static_cast<int>(slot_of(group[0]));
   const auto driver = std::find_if(group.begin(), group.end(),
@@ -142,7 +173,9 @@ void load_group(IslandState& state, std::span<const TiedPoint> group) {
     state.ties.by_cord.push_back({first, tied.cord, tied.point});
     if (slot == reference || state.constrained[slot] != 0) continue;
     const Vec2 gap = state.positions[slot] - state.positions[reference];
-    const Vec2 closing = closing_in_step(*state.members[at(tied.cord)].cord, gap, state.dt);
+    Vec2 closing = closes ? closing_in_step(*state.members[at(tied.cord)].cord, gap, state.dt) : Vec2{};
+    if (closing != Vec2{} && is_held_back(state, tied.cord)) closing = {};
+    state.ties.closing = state.ties.closing || closing != Vec2{};
     if (driver != group.end()) {
       state.drive(slot, state.drive_velocities[reference] - (1.0 / state.dt) * closing);
     } else if (gap != Vec2{}) {
@@ -151,26 +184,13 @@ void load_group(IslandState& state, std::span<const TiedPoint> group) {
   }
 }
 
-/// Adds up the masses that press cords against something over all that ties connect: what hangs from a cord presses it.
-void join_pressing_masses(IslandState& state, std::span<const TiedPoint> tied) {
-  DisjointSets& connected = state.ties.connected;
-  connected.begin(state.members.size());
-  for (std::size_t k = 1; k < tied.size(); ++k) {
-    if (tied[k].group == tied[k - 1].group) connected.join(at(tied[k - 1].cord), at(tied[k].cord));
-  }
-  std::vector<Member>& members = state.members;
-  for (std::size_t m = 0; m < members.size(); ++m) {
-    if (const std::size_t of = connected.root(m); of != m) members[of].pressing_mass += members[m].pressing_mass;
-  }
-  for (std::size_t m = 0; m < members.size(); ++m) members[m].pressing_mass = members[connected.root(m)].pressing_mass;
-}
-
-void load_ties(IslandState& state, std::span<const TiedPoint> tied) {
+void load_ties(IslandState& state, std::span<const TiedPoint> tied, bool closes) {
   if (tied.empty()) return;
+  connect_ties(state, tied);
   for (std::size_t first = 0; first < tied.size();) {
     std::size_t end = first + 1;
     while (end < tied.size() && tied[end].group == tied[first].group) ++end;
-    load_group(state, tied.subspan(first, end - first));
+    load_group(state, tied.subspan(first, end - first), closes);
     first = end;
   }
   std::sort(state.ties.slots.begin(), state.ties.slots.end(),
@@ -178,7 +198,7 @@ void load_ties(IslandState& state, std::span<const TiedPoint> tied) {
   std::sort(state.ties.by_cord.begin(), state.ties.by_cord.end(), [](const TiedPoint& a, const TiedPoint& b) {
     return a.cord != b.cord ? a.cord < b.cord : a.point < b.point;
   });
-  join_pressing_masses(state, tied);
+  join_pressing_masses(state);
 }
 
 void load_medium(IslandState& state, Member& member) {
@@ -263,7 +283,8 @@ bool is_single_cord(const IslandState& state) {
 
 }  // namespace
 
-void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
+void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
+                bool closes_ties) {
   reset(state);
   const std::size_t tensions = add_members(state, cords);
   for (Member& member : state.members) load_medium(state, member);
@@ -280,7 +301,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
     copy_to(IslandState::tensions_of(member, state.tensions), member.cord->state.tensions);
     state.unlocking = member.cord->elasticity->unlock(member.cord->state.positions) || state.unlocking;
   }
-  load_ties(state, tied);
+  load_ties(state, tied, closes_ties);
 }
 
 void load_bodies(IslandState& state) {

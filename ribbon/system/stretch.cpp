@@ -2,24 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace ribbon {
 namespace {
 
 /// m
-double shortest_cord(const IslandState& state) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Member& member : state.members) {
-    const std::vector<double>& rest = member.cord->state.rest;
-    shortest = std::min(shortest, std::accumulate(rest.begin(), rest.end(), 0.0));
-  }
-  return shortest;
+double length_of(const Member& member) {
+  const std::vector<double>& rest = member.cord->state.rest;
+  return std::accumulate(rest.begin(), rest.end(), 0.0);
 }
 
 }  // namespace
-
 double largest_strain(const Member& member, std::span<const Vec2> x) {
   const CordDef& def = member.cord->def;
   if (std::isfinite(def.stretch_stiffness)) return 0.0;
@@ -49,9 +43,10 @@ bool is_stretched(const IslandState& state, const Member& member) {
 }
 
 bool is_stretched(const IslandState& state) {
-  const auto of_member = [&](const Member& member) { return is_stretched(state, member); };
-  return std::any_of(state.members.begin(), state.members.end(), of_member) &&
-         highest_start_speed(state) * state.dt < shortest_cord(state);
+  const double displacement = highest_start_speed(state) * state.dt;
+  return std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
+    return is_stretched(state, member) && displacement < length_of(member);
+  });
 }
 
 double highest_start_speed(const IslandState& state) {

@@ -17,7 +17,8 @@ double largest_strain(const IslandState& state, std::span<const Vec2> x);
 bool became_stretched(const IslandState& state, double strain = max_strain);
 /// Returns whether a cord is inextensible and stretched, and more than at the start of the substep.
 bool is_stretched(const IslandState& state, const Member& member);
-/// Returns whether a cord is. It is always false if something moves further in a step than the shortest cord is long.
+/// Returns whether a cord is, other than one that is shorter than something moves in the step. (If the motion of a cord
+/// that a fast ball hits were taken back, the ball would go through.)
 bool is_stretched(const IslandState& state);
 /// Returns the highest speed at the start of the substep, m/s, of cords, bodies and what is driven.
 double highest_start_speed(const IslandState& state);

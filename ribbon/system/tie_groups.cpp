@@ -8,7 +8,6 @@
 
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_parts.h"
-#include "ribbon/system/stretch.h"
 
 namespace ribbon {
 namespace {
@@ -66,40 +65,25 @@ double difference(std::span<const IslandCord> cords, std::span<const TiedPoint> 
   return most;
 }
 
-/// Returns whether a link of an inextensible rope is stretched. What ties it holds it back from what they draw it to.
-bool is_stretched(const CordParts& cord) {
-  if (std::isfinite(cord.def.stretch_stiffness)) return false;
-  for (std::size_t link = 0; link + 1 < cord.size(); ++link) {
-    const Vec2 along = cord.state.positions[link + 1] - cord.state.positions[link];
-    if (length(along) > (1.0 + max_strain) * cord.state.rest[link]) return true;
-  }
-  return false;
-}
-
-/// Gives a free point of a group its velocity, and its position unless it is apart. Returns whether it is.
-bool join(const GroupMotion& together, CordParts& cord, int point) {
+/// Gives a free point of a group its velocity, and its position unless it is apart.
+void join(const GroupMotion& together, CordParts& cord, int point) {
   cord.state.velocities[at(point)] = together.velocity;
   Vec2& position = cord.state.positions[at(point)];
-  if (length(together.position - position) > closed_distance) return true;
-  position = together.position;
-  return false;
+  if (length(together.position - position) <= closed_distance) position = together.position;
 }
 
-/// Returns whether the points of a group are still apart.
-bool bring_group_together(std::span<const IslandCord> cords, std::span<const TiedPoint> group) {
+void bring_group_together(std::span<const IslandCord> cords, std::span<const TiedPoint> group) {
   const double different = difference(cords, group);
-  if (different == 0.0) return false;
+  if (different == 0.0) return;
   const GroupMotion together = motion_of(cords, group);
-  bool apart = false;
   for (const TiedPoint& tied : group) {
     CordParts& cord = parts_of(cords, tied);
     if (different > rounding) {
       cord.exclude_damping();
       cord.disturb();
     }
-    if (is_free(cord, tied.point)) apart = join(together, cord, tied.point) || apart;
+    if (is_free(cord, tied.point)) join(together, cord, tied.point);
   }
-  return apart;
 }
 
 }  // namespace
@@ -146,20 +130,18 @@ void TieGroups::number_points(std::span<const int> points) {
 
 Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt) {
   const double distance = length(gap);
-  if (distance <= closed_distance || is_stretched(cord)) return {};
+  if (distance <= closed_distance) return {};
   const double most = std::min(closing_speed * dt, max_draw * cord.def.length / (cord.def.points - 1));
   return std::min(closing_share, most / distance) * gap;
 }
 
-bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points) {
-  bool apart = false;
+void bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points) {
   for (std::size_t first = 0; first < points.size();) {
     std::size_t end = first + 1;
     while (end < points.size() && points[end].group == points[first].group) ++end;
-    apart = bring_group_together(cords, points.subspan(first, end - first)) || apart;
+    bring_group_together(cords, points.subspan(first, end - first));
     first = end;
   }
-  return apart;
 }
 
 }  // namespace ribbon

@@ -37,8 +37,8 @@ class TieGroups {
 };
 
 /// Gives tied points one velocity before a step, which keeps the momentum, and one position unless they are apart.
-/// Returns whether some are. `cords` are those of an island, and `points` refer to them.
-bool bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points);
+/// `cords` are those of an island, and `points` refer to them.
+void bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points);
 /// Returns by how much [m] the gap between a cord's point and what it is tied to is closed in a step of dt seconds:
 /// points that were tied while apart are drawn together over several steps.
 Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt);

@@ -200,6 +200,33 @@ TEST(TiedCords, ThatAreApartAreDrawnTogether) {
   EXPECT_EQ(tied.unconverged, 0);
 }
 
+/// A taut rope and one that hangs from a pin are tied across a distance that their lengths do not allow to close.
+TEST(TiedCords, ThatCannotReachEachOtherDoNotStretch) {
+  for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
+    for (const bool taut_first : {false, true}) {
+      TiedCords tied;
+      CordDef taut = level_rope({0.0, 0.0});
+      taut.pins = {0, 10};
+      taut.accuracy = accuracy;
+      CordDef below = level_rope({0.5, -1.4});
+      below.pins = {0};
+      below.accuracy = accuracy;
+      tied.cords.emplace_back(taut_first ? taut : below);
+      tied.cords.emplace_back(taut_first ? below : taut);
+      tied.ties = {taut_first ? Tie{0, 5, 1, 10} : Tie{0, 10, 1, 5}};
+      double most = 0.0;
+      for (int k = 0; k < 240; ++k) {
+        tied.step();
+        most = std::max(most, tied.strain());
+      }
+      EXPECT_LT(most, 6e-3);
+      EXPECT_GT(tied.gap(), 0.4 - 0.02);  // the least that the lengths allow
+      EXPECT_LT(tied.gap(), 0.5);         // 1.4 m when they were tied
+      EXPECT_EQ(tied.unconverged, 0);
+    }
+  }
+}
+
 /// A net that hangs by its upper corners falls into its shape, with a load in its middle.
 TEST(TiedCords, OfANetKeepTheirLengths) {
   constexpr int n = 8;
