@@ -40,17 +40,19 @@ class Cord {
   const CordDef& def() const;
   /// Returns the number of points, columns · rows.
   int size() const;
-  /// Returns the index of point (i, j): column i = 0 … points − 1 along the cord, row j = 0 … rows − 1 across it. Rows
-  /// count upwards in the default layout.
+  /// Returns the index of point (i, j): column i = 0 … points − 1 along the cord, row j = 0 … rows − 1 across it, not
+  /// checked. Rows count upwards in the default layout.
   int index(int i, int j) const;
   std::span<const Vec2> positions() const;   ///< m, by index
   std::span<const Vec2> velocities() const;  ///< m/s, by index
-  /// Returns the tensions, negative under compression. A rope has one per link [N], a ribbon of bars one per bar [N]. A
-  /// ribbon of cells has one entry per cell first, column by column, then one tension per bar of its spine, if any [N].
-  /// The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ [N/m] and the sum of its
-  /// principal stretches |z|. For a force of any cord see tension.
+  /// Returns what the solver keeps as tensions, for saving and debugging; for a force of any cord call `tension`. They
+  /// are negative under compression. A rope has one per link [N], a ribbon of bars one per bar [N]. A ribbon of cells
+  /// has one entry per cell first, column by column, then, if it has three rows or more, one tension per bar along its
+  /// middle [N]. The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ [N/m] and the sum
+  /// of its principal stretches |z|.
   std::span<const double> tensions() const;
-  /// Returns whether a point is free, dragged or pinned. This and the next three do not check the index.
+  /// Returns whether a point is free, dragged or pinned. This and the next three do not check the index, as operator[]
+  /// of a vector does not.
   PointKind kind(int point) const;
   /// Returns the target of a constrained or operated point, m.
   Vec2 target(int point) const;
@@ -100,7 +102,9 @@ class Cord {
   void release(int point);
   /// Sets the velocity of a point, m/s, each component within ±1e9.
   void set_velocity(int point, Vec2 velocity);
-  /// Sets the accuracy from the next step on. An island uses the highest accuracy of its cords.
+  /// Sets the accuracy from the next step on. Cords that are solved together, because they share a body, are tied or
+  /// may touch, all use the most accurate value of each field: TR-BDF2 if one has it, the most substeps, iterations and
+  /// work, the smallest tolerance, and soft contacts only if all have them.
   void set_accuracy(const Accuracy& accuracy);
   /// Sets the tension above which the link from column `link` to the next one breaks, N, 0 … infinity: see
   /// CordDef::breaking_force.
@@ -111,8 +115,9 @@ class Cord {
   void reel(int first, int last, double length, double speed);
 
   /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold the cord (`grips`) or
-  /// touch it are solved with it, and a Medium in the surroundings acts on it. Each body receives the impulses that
-  /// give it its velocity at the end of the step, and the step writes its displacement to `moved` and `turned`.
+  /// touch it are solved with it, and a Medium in the surroundings acts on it. The step adds to each body's impulses
+  /// what gives it its velocity at the end of the step, and writes the displacement of those that hold the cord to
+  /// `moved` and `turned`; you move the bodies, as a Coupling does. O(points) for each Newton step.
   IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
 
   /// Returns the pulleys, ordered along the cord.

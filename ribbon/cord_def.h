@@ -14,7 +14,8 @@ enum class Integrator : unsigned char {
   implicit_euler,  ///< first order; one solve per substep; cheap, but damps motion
 };
 
-/// Sets the trade between accuracy and cost. `README.md` lists the measured cost and error of the presets.
+/// Sets the trade between accuracy and cost. Relative to `balanced`, a swing costs 0.46 with `fast` and 3 with
+/// `accurate`; ribbon/guide.md has a table, "Which preset".
 struct Accuracy {
   Integrator integrator = Integrator::tr_bdf2;  ///< time integration method
   int substeps =
@@ -23,12 +24,12 @@ struct Accuracy {
   /// starts again with a line search. Near contacts the number is fixed.
   int max_iterations = 8;
   double tolerance = 5e-4;  ///< m, 1e-12 … 1. A solve ends when a Newton step moves no point further than this
-  /// Work budget of a step, 1 … 1,000,000, about this many linear systems. With S > 4 substeps it is multiplied by S/4.
-  /// (The unit is 4 units of IslandReport::work for each point and body of the island.) When a step exceeds the budget,
-  /// it keeps the current state, which is finite but not solved, and reports it as unconverged. The budget also decides
-  /// what happens to a step near contacts that does not converge. With 10,000 or more it is halved repeatedly, which is
-  /// accurate in any collision but slow. With less it is redone with a linear model of its contacts, which is quick but
-  /// less accurate. (Eight or more cords with soft_contacts that lie in a heap always have the linear model.)
+  /// Limit of the work of a step, 1 … 1,000,000: about this many linear systems of a single cord, or
+  /// 4·max_work·(points + bodies of the island) in the unit of IslandReport::work; with S > 4 substeps, S/4 times that.
+  /// A step that has used it keeps the state that it has reached, which is finite but not solved, and counts as
+  /// unconverged. Below 10,000, a step near contacts that does not converge is redone with a linear model of its
+  /// contacts: quick, but less accurate. From 10,000 on it is halved repeatedly: accurate in any collision, but a step
+  /// can take seconds. (Eight or more cords with soft_contacts that lie in a heap always have the linear model.)
   int max_work = 600;
   /// Makes contacts 20 times softer. This saves two thirds of the solves where many cords lie in a heap. At rest a body
   /// penetrates by 1/100 of the distance that it would fall in one step, instead of 1/2000. It has an effect if all
@@ -104,10 +105,10 @@ struct CordDef {
   Elements elements = Elements::cells;  ///< of a ribbon
   Accuracy accuracy;                    ///< trade between accuracy and cost
 
-  /// m, initial positions of points·rows points; P(i, j) is at index i·rows + j. If empty, the cord starts at the
-  /// origin and extends along +x.
+  /// m, each component within ±1e9: initial positions of points·rows points; P(i, j) is at index i·rows + j. If empty,
+  /// the cord starts at the origin and extends along +x.
   std::vector<Vec2> positions;
-  /// Indices of points that are fixed at their initial positions.
+  /// Indices, 0 … points·rows − 1, of points that are fixed at their initial positions.
   std::vector<int> pins;
 
   bool operator==(const CordDef&) const = default;

@@ -5,8 +5,8 @@
 namespace ribbon {
 
 /// Statistics of one step of an island: of cords that were solved together, or of a single cord. They are summed over
-/// its substeps. If the counts from `searches` to `unlocked` are 0, full Newton steps were enough. `unconverged` counts
-/// what was not solved.
+/// its substeps. A game needs only `unconverged` and, for the cost, `work`; the other counts are for diagnosis: those
+/// from `searches` to `unlocked`, other than `impacts`, are 0 if full Newton steps were enough.
 struct IslandReport {
   int stages = 0;        ///< implicit solves: two per substep of TR-BDF2, one per substep of implicit Euler
   int iterations = 0;    ///< Newton steps, each of which solves one linear system in O(points)
@@ -25,9 +25,9 @@ struct IslandReport {
   /// Work done, in a unit that does not depend on the machine: 1 for each 2 × 2 block of the matrix of a linear system
   /// (4 per point for the band matrix of a single cord), and 1 for each pair tested for contact.
   std::int64_t work = 0;
-  // Residuals of the worst unconverged substep; 0 if all substeps converged:
-  double position_error = 0.0;  ///< m, the largest correction of a point by the last linear solve
-  double force_error = 0.0;     ///< N, the inertia force of that correction
+  // The largest residuals of unconverged substeps, each by itself; 0 if all substeps converged:
+  double position_error = 0.0;  ///< m, correction of a point by the last linear solve
+  double force_error = 0.0;     ///< N, inertia force of that correction; 0 with a `max_work` of 10,000 or more
 
   bool operator==(const IslandReport&) const = default;
   /// Adds the counts of another step and keeps the larger residuals.
@@ -42,7 +42,9 @@ struct CordReport {
   int contacts = 0;               ///< at the end of the step, or hit in it; one with another cord counts for both
   double max_normal_force = 0.0;  ///< N, of a contact at the end of the step
   int cuts = 0;                   ///< times that it was stopped to prevent penetration, and lost velocity
-  double position_error = 0.0;    ///< m, as IslandReport::position_error, of its own points; 0 if all converged
+  /// m, as IslandReport::position_error, of its own points; 0 if no correction of them was above the tolerance: then
+  /// only other cords of its island, or bodies, did not converge, or everything did.
+  double position_error = 0.0;
 
   bool operator==(const CordReport&) const = default;
 };

@@ -73,8 +73,8 @@ class Coupling {
   Coupling& operator=(Coupling&& other) noexcept;
   ~Coupling();
 
-  /// Adds a cord of the direct solver. `filter` determines which circles, edges and polygons it meets, as between two
-  /// Box2D fixtures.
+  /// Adds a cord of the direct solver. `filter` determines which fixtures it meets, of any shape and sensors too, as
+  /// between two fixtures of Box2D. Cords meet each other by CordDef::cord_contact.
   CordId add(Cord cord, const b2Filter& filter = {});
   /// Adds a cord of the thesis's solver. `filter` applies to circles.
   CordId add(ThesisCord cord, const b2Filter& filter = {});
@@ -148,7 +148,8 @@ class Coupling {
   /// Returns the handle of a body for reading.
   BodyView body(const b2Body& body) const { return {*parts_, body}; }
 
-  /// Advances cords and world by one tick of dt seconds: gather, step, apply, world.Step. Throws as gather does.
+  /// Advances cords and world by one tick of dt seconds, instead of world.Step, which gets the other two arguments:
+  /// gather, step, apply, world.Step. Throws as gather does, before anything has moved.
   void tick(b2World& world, double dt, int velocity_iterations = 8, int position_iterations = 3);
   /// First part of a tick of dt seconds: finds for each cord the fixtures that it may touch in the tick, and the
   /// sensors near it. Ignores disabled bodies, dynamic bodies without mass (not their sensors), and bodies whose
@@ -189,16 +190,17 @@ class Coupling {
   /// Returns the time for which the medium is asked at the start of the next tick: the time that ticks with a medium
   /// took so far, s. It is part of the state.
   double medium_time() const;
-  /// Returns the fixture with a number from CordView::touching or CordView::sensors, or null if it was destroyed before
-  /// the last gather or with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use the next
-  /// function.
+  /// The coupling numbers the fixtures that come near a cord; unlike an address, a number never comes to mean another
+  /// fixture. Returns the one with a number from CordView::touching or CordView::sensors, or null if it was destroyed
+  /// before the last gather or with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use
+  /// the next function.
   const b2Fixture* fixture(std::uint64_t number) const;
   /// Returns the fixture with that number if it is still in its world, else null. O(bodies + fixtures).
   const b2Fixture* fixture(std::uint64_t number, const b2World& world) const;
 
-  /// Returns the nearest point of an enabled cord within `reach` [m] of `position`; of equal ones the first. It tests
-  /// the bounding box of each cord and the points of cords that may be in range. Points on wheels of pulleys do not
-  /// count, because nothing can hold or drag them.
+  /// Returns the nearest point of an enabled cord within `reach` [m] of `position`; of equally near ones the one of the
+  /// lowest id and index. O(cords + points of those that may be in range); for many queries in a tick see CordQueries.
+  /// Points on wheels of pulleys do not count, because nothing can hold or drag them.
   std::optional<CordPoint> nearest_point(Vec2 position, double reach) const;
   /// Returns the nearest place on an enabled cord that is not in `except`, also between two points; for cords of the
   /// thesis's solver, the nearest point. Places on wheels do not count.

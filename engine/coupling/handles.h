@@ -153,8 +153,9 @@ class GripRef : public GripView {
   /// Returns the handle of a grip; Coupling::grip calls this.
   GripRef(CouplingParts& parts, GripId id) : GripView(parts, id), parts_(&parts) {}
 
-  /// Moves the grip along a cord of the direct solver to `arc` [m] at `speed` [m of rest length per second, above 0],
-  /// so that the body climbs. Throws DefinitionError for values out of range, and CallError for the thesis's solver.
+  /// Moves the grip along a cord of the direct solver to `arc` [m of rest length from its start] at `speed` [m of rest
+  /// length per second, above 0], so that the body climbs. It goes on in each tick until it is there; another call
+  /// replaces the goal. Throws DefinitionError for values out of range, and CallError for the thesis's solver.
   void climb(double arc, double speed) const;
   /// Moves the anchor to a place in the body's frame, at constant velocity during the next tick, where it stays. Call
   /// it before gather. Throws DefinitionError for a coordinate beyond ±1e9.

@@ -33,14 +33,17 @@ struct StepContext {
     contacts.impacts.return_to_start();
     state.return_to_start();
   }
-  /// Counts a substep that is kept although it did not converge, with the residuals of the island and of each member.
+  /// Counts a substep that is kept although it did not converge, with the residuals of the island, and of each member
+  /// that did not.
   void report_unconverged(double position_error, double force_error) const {
     IslandReport& report = work.report;
     ++report.unconverged;
     report.position_error = std::max(report.position_error, position_error);
     report.force_error = std::max(report.force_error, force_error);
     for (Member& member : state.members) {
-      member.report.position_error = std::max(member.report.position_error, member.last_correction);
+      if (member.last_correction > state.tolerance) {
+        member.report.position_error = std::max(member.report.position_error, member.last_correction);
+      }
       report.position_error = std::max(report.position_error, member.last_correction);
     }
   }
