@@ -149,7 +149,7 @@ void join_pressing_masses(IslandState& state) {
   for (std::size_t m = 0; m < members.size(); ++m) members[m].pressing_mass = members[connected.root(m)].pressing_mass;
 }
 
-/// Returns whether an inextensible rope is stretched that ties connect with a cord. It holds what they draw back.
+/// Returns whether an inextensible rope is stretched that ties connect with a cord: it holds back what they draw.
 bool is_held_back(IslandState& state, int cord) {
   DisjointSets& connected = state.ties.connected;
   const std::size_t root = connected.root(at(cord));
