@@ -47,9 +47,9 @@ class Cord {
   std::span<const Vec2> velocities() const;  ///< m/s, by index
   /// Returns what the solver keeps as tensions, for saving and debugging; for a force of any cord call `tension`. They
   /// are negative under compression. A rope has one per link [N], a ribbon of bars one per bar [N]. A ribbon of cells
-  /// has one entry per cell first, column by column, then, if it has three rows or more, one tension per bar along its
-  /// middle [N]. The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ [N/m] and the sum
-  /// of its principal stretches |z|.
+  /// has one entry per cell first, column by column, then one tension per bar along its middle line, if it has any [N]
+  /// (see CordDef::cell_stiffness). The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ
+  /// [N/m] and the sum of its principal stretches |z|.
   std::span<const double> tensions() const;
   /// Returns whether a point is free, dragged or pinned. This and the next three do not check the index, as operator[]
   /// of a vector does not.

@@ -21,9 +21,9 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 
 }  // namespace
 
-/// A step in which something leaves its motion bound is redone with a larger one. If tied points that close
-/// stretch a cord, or a substep does not converge, it is redone with them at their distance. A step in which a substep
-/// does not converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
+/// A step in which something leaves its motion bound is redone with a larger one. One in which tied points close, and a
+/// cord stretches or a substep does not converge, is redone with these points at their distance. A step in which a
+/// substep does not converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
