@@ -21,9 +21,10 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 
 }  // namespace
 
-/// A step in which something leaves its motion bound is redone with a larger one. One in which tied points close, and a
-/// cord stretches or a substep does not converge, is redone with these points at their distance. A step in which a
-/// substep does not converge is redone with contacts that are linearised once. In heaps, that solve is truncated.
+/// A step in which something leaves its motion bound is redone with a larger one. One with tied points apart, in which
+/// a cord stretches or a substep does not converge, is redone: first with these points at their distance, then without
+/// their ties. A step in which a substep does not converge is redone with contacts that are linearised once. In heaps,
+/// that solve is truncated.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -40,16 +41,17 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   bounds_.begin_step(cords.size());
   bring_together(cords, tied);
   move_points_over_wheels(cords, tied, bodies, dt, true);
-  bool closes_ties = true;
+  ApartTies apart = ApartTies::drawn;
   int settled = 0;
   for (bool linearised = false;;) {
-    begin_attempt(cords, tied, closes_ties);
+    begin_attempt(cords, tied, apart);
     state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
     const bool solved = take_substeps(linearised);
-    if (state_.ties.closing && !linearised && (!solved || is_stretched(state_))) {
-      closes_ties = false;
+    if (state_.ties.apart && (!solved || is_stretched_by_step(state_))) {
+      apart = state_.ties.closing ? ApartTies::kept : ApartTies::released;
     } else if (!solved) {
       linearised = true;
+      apart = ApartTies::kept;
       bounds_.enlarge_for_linearised();
     } else if ((linearised || !bounds_.enlarge(state_)) && (++settled == max_settled || settle_wheels(state_))) {
       break;
@@ -63,8 +65,8 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   return work_.report;
 }
 
-void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, bool closes_ties) {
-  load_cords(state_, cords, tied, closes_ties);
+void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, ApartTies apart) {
+  load_cords(state_, cords, tied, apart);
   guard_.begin_step(state_);
   stages_.begin_step();
   candidates_.find(state_, bounds_, contacts_);

@@ -33,7 +33,7 @@ class Island {
 
  private:
   StepContext context() { return {state_, contacts_, bounds_, stages_, guard_, work_}; }
-  void begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, bool closes_ties);
+  void begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, ApartTies apart);
   bool truncates(bool linearised) const;
   bool take_substeps(bool linearised);
   void end_step();

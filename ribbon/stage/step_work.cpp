@@ -26,6 +26,8 @@ constexpr int max_last_systems = 45;
 }  // namespace
 
 void StepWork::begin_attempt(const IslandState& state) {
+  report.unconverged = report.cuts = 0;
+  report.position_error = report.force_error = 0.0;
   points_ = state.points;
   attempt_iterations_ = report.iterations;
   attempt_work_ = report.work;

@@ -13,7 +13,8 @@ class StepWork {
  public:
   IslandReport report;
 
-  /// Begins an attempt at the step; its cords and bodies are known.
+  /// Begins an attempt at the step; its cords and bodies are known. What an attempt before it left unsolved is not
+  /// kept.
   void begin_attempt(const IslandState& state);
   /// Begins to solve the step with contacts that are linearised once.
   void begin_linearised();

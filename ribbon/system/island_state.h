@@ -37,6 +37,7 @@ struct Member {
   bool stopped = false;          ///< that stage stopped it to prevent penetration
   bool in_medium = false;        ///< a medium acts on it
   double pressing_mass = 0.0;    ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts
+  double start_strain = 0.0;     ///< largest of its links at the start of the step; 0 unless the island has ties
 
   std::size_t end_point() const { return first_point + points; }
   bool has_point(std::size_t slot) const { return slot >= first_point && slot < end_point(); }
@@ -74,6 +75,9 @@ struct Wheel {
   bool blocked = false;    ///< the cord is kept from running: it ends at the wheel, or is held or tied there
 };
 
+/// What a step does with tied points that are apart.
+enum class ApartTies { drawn, kept, released };
+
 /// A gap between tied slots, which the step closes in part.
 struct TieGap {
   TiedSlot of;
@@ -83,11 +87,13 @@ struct TieGap {
 
 /// The points of an island that are tied to each other.
 struct IslandTies {
-  std::vector<TiedSlot> slots;     ///< all but the first of each group, ascending, with the first
-  std::vector<TiedPoint> by_cord;  ///< all, ascending by cord and point; a group is its first slot
-  std::vector<TieGap> gaps;        ///< of slots that are apart
-  bool closing = false;            ///< a gap is reduced in this step
-  DisjointSets connected;          ///< members that ties connect
+  std::vector<TiedSlot> slots;      ///< all but the first of each group, ascending, with the first
+  std::vector<TiedPoint> by_cord;   ///< all, ascending by cord and point; a group is its first slot
+  std::vector<TieGap> gaps;         ///< of slots that are apart
+  bool apart = false;               ///< a gap is kept or reduced in this step
+  bool closing = false;             ///< a gap is reduced in this step
+  DisjointSets connected;           ///< members that ties connect
+  std::vector<TiedPoint> released;  ///< of a group: memory for the step
 
   bool any() const { return !slots.empty(); }
   /// Returns whether a slot is one of `slots`.

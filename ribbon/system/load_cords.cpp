@@ -9,6 +9,7 @@
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/tie_groups.h"
 #include "ribbon/system/wheels.h"
 
 namespace ribbon {
@@ -38,7 +39,7 @@ void reset(IslandState& state) {
   state.ties.slots.clear();
   state.ties.by_cord.clear();
   state.ties.gaps.clear();
-  state.ties.closing = false;
+  state.ties.apart = state.ties.closing = false;
   state.points = 0;
   state.duals = 0;
 }
@@ -154,28 +155,31 @@ bool is_held_back(IslandState& state, int cord) {
   DisjointSets& connected = state.ties.connected;
   const std::size_t root = connected.root(at(cord));
   for (std::size_t m = 0; m < state.members.size(); ++m) {
-    if (connected.root(m) == root && largest_strain(state.members[m], state.positions) > max_strain) return true;
+    if (connected.root(m) == root && state.members[m].start_strain > max_strain) return true;
   }
   return false;
 }
 
+std::size_t slot_of(const IslandState& state, const TiedPoint& tied) {
+  return state.members[at(tied.cord)].first_point + at(tied.point);
+}
+
 /// What one point of a group does, all do. If one is driven, the others are driven beside it.
-void load_group(IslandState& state, std::span<const TiedPoint> group, bool closes) {
-  const auto slot_of = [&](const TiedPoint& tied) { return state.members[at(tied.cord)].first_point + at(tied.point); };
-  const int first = static_cast<int>(slot_of(group[0]));
+void tie_together(IslandState& state, std::span<const TiedPoint> group, ApartTies apart) {
+  const auto first = static_cast<int>(slot_of(state, group[0]));
   const auto driver = std::find_if(group.begin(), group.end(),
-                                   [&](const TiedPoint& tied) { return state.constrained[slot_of(tied)] != 0; });
-  const std::size_t reference = driver == group.end() ? at(first) : slot_of(*driver);
+                                   [&](const TiedPoint& tied) { return state.constrained[slot_of(state, tied)] != 0; });
+  const std::size_t reference = driver == group.end() ? at(first) : slot_of(state, *driver);
   for (const TiedPoint& tied : group) {
-    const std::size_t slot = slot_of(tied);
+    const std::size_t slot = slot_of(state, tied);
     const TiedSlot of{static_cast<int>(slot), first};
     if (of.slot != first) state.ties.slots.push_back(of);
-    state.ties.by_cord.push_back({first, tied.cord, tied.point});
     if (slot == reference || state.constrained[slot] != 0) continue;
     const Vec2 gap = state.positions[slot] - state.positions[reference];
-    Vec2 closing = closes ? closing_in_step(*state.members[at(tied.cord)].cord, gap, state.dt) : Vec2{};
-    if (closing != Vec2{} && is_held_back(state, tied.cord)) closing = {};
-    state.ties.closing = state.ties.closing || closing != Vec2{};
+    const bool draws = apart == ApartTies::drawn && are_apart(gap) && !is_held_back(state, tied.cord);
+    const Vec2 closing = draws ? closing_in_step(*state.members[at(tied.cord)].cord, gap, state.dt) : Vec2{};
+    state.ties.apart = state.ties.apart || are_apart(gap);
+    state.ties.closing = state.ties.closing || draws;
     if (driver != group.end()) {
       state.drive(slot, state.drive_velocities[reference] - (1.0 / state.dt) * closing);
     } else if (gap != Vec2{}) {
@@ -184,13 +188,38 @@ void load_group(IslandState& state, std::span<const TiedPoint> group, bool close
   }
 }
 
-void load_ties(IslandState& state, std::span<const TiedPoint> tied, bool closes) {
+/// Ties only those points of a group that are where another one is.
+void release_apart(IslandState& state, std::span<const TiedPoint> group) {
+  std::vector<TiedPoint>& left = state.ties.released;
+  left.assign(group.begin(), group.end());
+  for (auto next = left.begin(); next != left.end();) {
+    const Vec2 place = state.positions[slot_of(state, *next)];
+    const auto end = std::stable_partition(next, left.end(), [&](const TiedPoint& tied) {
+      return !are_apart(state.positions[slot_of(state, tied)] - place);
+    });
+    tie_together(state, {next, end}, ApartTies::released);
+    next = end;
+  }
+}
+
+void load_group(IslandState& state, std::span<const TiedPoint> group, ApartTies apart) {
+  const auto number = static_cast<int>(slot_of(state, group[0]));
+  for (const TiedPoint& tied : group) state.ties.by_cord.push_back({number, tied.cord, tied.point});
+  if (apart == ApartTies::released) {
+    release_apart(state, group);
+  } else {
+    tie_together(state, group, apart);
+  }
+}
+
+void load_ties(IslandState& state, std::span<const TiedPoint> tied, ApartTies apart) {
   if (tied.empty()) return;
   connect_ties(state, tied);
+  for (Member& member : state.members) member.start_strain = largest_strain(member, state.positions);
   for (std::size_t first = 0; first < tied.size();) {
     std::size_t end = first + 1;
     while (end < tied.size() && tied[end].group == tied[first].group) ++end;
-    load_group(state, tied.subspan(first, end - first), closes);
+    load_group(state, tied.subspan(first, end - first), apart);
     first = end;
   }
   std::sort(state.ties.slots.begin(), state.ties.slots.end(),
@@ -284,7 +313,7 @@ bool is_single_cord(const IslandState& state) {
 }  // namespace
 
 void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
-                bool closes_ties) {
+                ApartTies apart) {
   reset(state);
   const std::size_t tensions = add_members(state, cords);
   for (Member& member : state.members) load_medium(state, member);
@@ -301,7 +330,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
     copy_to(IslandState::tensions_of(member, state.tensions), member.cord->state.tensions);
     state.unlocking = member.cord->elasticity->unlock(member.cord->state.positions) || state.unlocking;
   }
-  load_ties(state, tied, closes_ties);
+  load_ties(state, tied, apart);
 }
 
 void load_bodies(IslandState& state) {

@@ -8,9 +8,9 @@
 namespace ribbon {
 
 /// Reads the cords at the start of an island's step: points, tensions, targets, reels, ties and grips, but not the
-/// circles and edges near them. Tied points that are apart close in part in this step, or keep their distance.
+/// circles and edges near them.
 void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
-                bool closes_ties);
+                ApartTies apart);
 /// Reads the bodies that hold or may touch the cords, after all of them were added and the state was resized.
 void load_bodies(IslandState& state);
 /// Returns reels to where the step began.

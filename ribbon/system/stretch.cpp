@@ -14,6 +14,7 @@ double length_of(const Member& member) {
 }
 
 }  // namespace
+
 double largest_strain(const Member& member, std::span<const Vec2> x) {
   const CordDef& def = member.cord->def;
   if (std::isfinite(def.stretch_stiffness)) return 0.0;
@@ -46,6 +47,12 @@ bool is_stretched(const IslandState& state) {
   const double displacement = highest_start_speed(state) * state.dt;
   return std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
     return is_stretched(state, member) && displacement < length_of(member);
+  });
+}
+
+bool is_stretched_by_step(const IslandState& state) {
+  return std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
+    return largest_strain(member, state.positions) > std::max(max_strain, member.start_strain);
   });
 }
 

@@ -20,6 +20,8 @@ bool is_stretched(const IslandState& state, const Member& member);
 /// Returns whether a cord is, other than one that is shorter than something moves in the step. (If the motion of a cord
 /// that a fast ball hits were taken back, the ball would go through.)
 bool is_stretched(const IslandState& state);
+/// Returns whether an inextensible cord of an island with ties is stretched, and more than at the start of the step.
+bool is_stretched_by_step(const IslandState& state);
 /// Returns the highest speed at the start of the substep, m/s, of cords, bodies and what is driven.
 double highest_start_speed(const IslandState& state);
 

@@ -69,7 +69,7 @@ double difference(std::span<const IslandCord> cords, std::span<const TiedPoint> 
 void join(const GroupMotion& together, CordParts& cord, int point) {
   cord.state.velocities[at(point)] = together.velocity;
   Vec2& position = cord.state.positions[at(point)];
-  if (length(together.position - position) <= closed_distance) position = together.position;
+  if (!are_apart(together.position - position)) position = together.position;
 }
 
 void bring_group_together(std::span<const IslandCord> cords, std::span<const TiedPoint> group) {
@@ -128,9 +128,10 @@ void TieGroups::number_points(std::span<const int> points) {
   joined_.begin(count);
 }
 
+bool are_apart(Vec2 gap) { return length(gap) > closed_distance; }
+
 Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt) {
   const double distance = length(gap);
-  if (distance <= closed_distance) return {};
   const double most = std::min(closing_speed * dt, max_draw * cord.def.length / (cord.def.points - 1));
   return std::min(closing_share, most / distance) * gap;
 }

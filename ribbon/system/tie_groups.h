@@ -39,8 +39,10 @@ class TieGroups {
 /// Gives tied points one velocity before a step, which keeps the momentum, and one position unless they are apart.
 /// `cords` are those of an island, and `points` refer to them.
 void bring_together(std::span<const IslandCord> cords, std::span<const TiedPoint> points);
-/// Returns by how much [m] the gap between a cord's point and what it is tied to is closed in a step of dt seconds:
-/// points that were tied while apart are drawn together over several steps.
+/// Returns whether a gap [m] between tied points is more than a step closes at once.
+bool are_apart(Vec2 gap);
+/// Returns by how much [m] the gap between a cord's point and what it is tied to, which are apart, is closed in a step
+/// of dt seconds: points that were tied while apart are drawn together over several steps.
 Vec2 closing_in_step(const CordParts& cord, Vec2 gap, double dt);
 
 }  // namespace ribbon

@@ -20,7 +20,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"thesis", build_thesis, drive_thesis, 180, 0xcbffe2fca1a6f43d},
     {"rough", build_rough, drive_rough, 120, 0xc42d223c4fd5c9af},
     {"asleep", build_asleep, drive_asleep, 220, 0x92f1a7f546f39269},
-    {"ties", build_ties, drive_ties, 120, 0x0d01c6bd01cc4693},
+    {"ties", build_ties, drive_ties, 120, 0x7b09de532ef6357b},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
     {"listener", build_listener, nullptr, 180, 0x9b8f3c3635d7e4a6},
     {"pulleys", build_pulleys, drive_pulleys, 120, 0x717ed5c667e562b0},
