@@ -53,10 +53,13 @@ inline MixedBar damped(double elongation, double rate, double compliance, double
   return {scale * (elongation + damping * rate), scale * compliance};
 }
 
-/// Returns the elastic energy ½·c²/α [J] of a bar of tension λ: c = α·λ − β·ċ.
-inline double elastic_energy(double tension, double compliance, double damping, double rate) {
+/// Returns the elastic energy ½·c²/α [J] of a bar of tension λ: c = α·λ − β·ċ. One that cannot push has none while it
+/// is shorter than at rest: its damping alone resists then.
+inline double elastic_energy(double tension, double compliance, double damping, double rate,
+                             bool tension_only = false) {
   const double c = compliance * tension - damping * rate;
-  return compliance > 0.0 ? 0.5 * c * c / compliance : 0.0;
+  if (compliance == 0.0 || (tension_only && c < 0.0)) return 0.0;
+  return 0.5 * c * c / compliance;
 }
 
 /// Returns the exact penalty φ(c) [J]: ½·c²/α up to the tension Λ = `max_tension`, and beyond it linear in |c| with the

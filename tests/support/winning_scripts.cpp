@@ -282,7 +282,7 @@ std::vector<Move> long_line() {
           swing_line_and_let_go(right, 0.3),
           throw_at({50.0, 21.5}),
           reel_to(3.5),
-          swing_line_and_let_go(right, 0.6),
+          swing_line_and_let_go(right, 0.5),
           until_goal(right)};
 }
 

@@ -45,12 +45,19 @@ EnergyBalance::Gain EnergyBalance::take(const World::Energy& now, Vec2 heights) 
 
 namespace {
 
-/// Returns the length from the point before a wheel to the one behind it, m.
+/// Returns the length from the point before a wheel to the one behind it, m. Nothing keeps a point from swinging into a
+/// wheel whose body has no disc there. No tangent leads to it, so its line ends at the place in the groove that the
+/// solver found.
 double path_length(const ribbon::Cord& cord, const ribbon::box2d::PulleyState& pulley) {
   const double radius = pulley.def.radius;
   const double sense = pulley.def.counterclockwise ? 1.0 : -1.0;
   const Vec2 first = cord.positions()[slot(pulley.def.before)] - pulley.center;
   const Vec2 last = cord.positions()[slot(pulley.def.after)] - pulley.center;
+  if (std::min(length(first), length(last)) < radius) {
+    const auto solved = std::find_if(cord.pulleys().begin(), cord.pulleys().end(),
+                                     [&](const auto& other) { return other.def.before == pulley.def.before; });
+    return length(first - radius * solved->arrival) + radius * pulley.arc + length(last - radius * solved->departure);
+  }
   const auto tangent = [radius](Vec2 r) { return std::sqrt(std::max(0.0, dot(r, r) - radius * radius)); };
   const double turned = sense * (std::atan2(last.y, last.x) - std::atan2(first.y, first.x)) -
                         std::atan2(tangent(first), radius) - std::atan2(tangent(last), radius);
