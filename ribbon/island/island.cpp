@@ -23,8 +23,8 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 
 /// A step in which something leaves its motion bound is redone with a larger one. One with tied points apart, in which
 /// a cord stretches or a substep does not converge, is redone: first with these points at their distance, then without
-/// their ties. A step in which a substep does not converge is redone with contacts that are linearised once. In heaps,
-/// that solve is truncated.
+/// their ties. A step in which a substep does not converge is redone with contacts that are linearised once, and with
+/// these ties again, unless they stretch a cord. In heaps, that solve is truncated.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
