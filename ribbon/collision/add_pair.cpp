@@ -23,11 +23,8 @@ Vec2 anchor_position(const IslandState& state, const Contacts& contacts, int anc
 
 /// Restores what the cord stored of the contact in the last step. A body that was near in that step and is gone may
 /// have made the contact stiffer: then it cannot be compressed by as much as the force would need.
-void restore_touch(const Member& member, ContactPair& pair) {
-  const auto& touches = member.cord->state.touches;
-  const auto before = std::lower_bound(touches.begin(), touches.end(), pair.touch,
-                                       [](const Touch& a, const Touch& b) { return a.place_before(b); });
-  if (before != touches.end() && !pair.touch.place_before(*before)) pair.touch = *before;
+void restore_touch(const StoredTouches& touches, ContactPair& pair) {
+  if (const Touch* before = touches.find(pair.touch)) pair.touch = *before;
   pair.touch.force = std::min(pair.touch.force, pair.stiffness * pair.contact_distance);
   pair.touch.impulse = 0.0;
   pair.touch.push = {};
@@ -95,19 +92,22 @@ int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
   return contacts.scene.add(anchor);
 }
 
-void add_pair(const IslandState& state, Contacts& contacts, const Member& member, ContactPair& pair, double mass,
-              double friction, double restitution) {
+Separation initial_separation(const IslandState& state, const Contacts& contacts, const ContactPair& pair) {
+  return find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
+                         anchor_position(state, contacts, pair.b));
+}
+
+void add_pair(const IslandState& state, Contacts& contacts, const PairSurfaces& surfaces, const Separation& gap,
+              ContactPair& pair) {
+  const Member& member = surfaces.member;
   const CordDef& def = member.cord->def;
   pair.cord = static_cast<std::size_t>(&member - state.members.data());
   pair.stiffness =
       (state.accuracy.soft_contacts ? CompliantContacts::soft_stiffness_factor : CompliantContacts::stiffness_factor) *
-      mass / (state.dt * state.dt);
-  pair.friction = std::sqrt(def.friction * friction);
-  pair.restitution = std::max(def.restitution, restitution);
-  restore_touch(member, pair);
-  const Separation gap =
-      find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
-                      anchor_position(state, contacts, pair.b));
+      surfaces.mass / (state.dt * state.dt);
+  pair.friction = std::sqrt(def.friction * surfaces.friction);
+  pair.restitution = std::max(def.restitution, surfaces.restitution);
+  restore_touch(surfaces.touches, pair);
   if (pair.is_mutual && gap.distance <= ContactPair::coincident_share * pair.contact_distance) {
     pair.parting = parting_direction(state, pair, gap);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ribbon/collision/stored_touches.h"
 #include "ribbon/contact/contacts.h"
 #include "ribbon/system/island_state.h"
 
@@ -11,9 +12,19 @@ inline constexpr double large_circle = 10.0;
 /// Adds an anchor at the end of an arm [m] from the centre of mass of a body, which is solved with the cords if it can
 /// be pushed. Returns the anchor's index.
 int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm);
-/// Adds a pair, of which the member stores the contact from step to step. `mass` [kg] is what may press; friction and
-/// restitution are those of the other surface. Completes the other fields of the pair.
-void add_pair(const IslandState& state, Contacts& contacts, const Member& member, ContactPair& pair, double mass,
-              double friction, double restitution);
+/// Returns the separation of the pair's disc from its segment at the start of the step.
+Separation initial_separation(const IslandState& state, const Contacts& contacts, const ContactPair& pair);
+/// What a contact pair of a member depends on besides the pair's own fields.
+struct PairSurfaces {
+  const Member& member;          // it stores the contact from step to step
+  const StoredTouches& touches;  // of the member
+  double mass;                   // kg, what may press
+  double friction;               // of the other surface
+  double restitution;            // of the other surface
+};
+/// Adds a pair with its separation at the start of the step. Completes the fields of the pair that its surfaces
+/// determine.
+void add_pair(const IslandState& state, Contacts& contacts, const PairSurfaces& surfaces, const Separation& gap,
+              ContactPair& pair);
 
 }  // namespace ribbon

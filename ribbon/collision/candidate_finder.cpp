@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 #include "ribbon/collision/add_pair.h"
 #include "ribbon/collision/outline.h"
@@ -12,8 +15,6 @@
 
 namespace ribbon {
 namespace {
-
-constexpr std::size_t block = 8;  // neighbouring points or links of an outline that are looked for at once
 
 bool may_touch(const Member& member) {
   const CordDef& def = member.cord->def;
@@ -61,9 +62,9 @@ Vec2 mean_displacement(const IslandState& state, std::span<const Vec2> ends) {
   return (1.0 / static_cast<double>(state.points)) * sum;
 }
 
-/// Returns whether in free motion a point and a link may come within a distance of each other.
-bool may_come_within(const IslandState& state, std::span<const Vec2> ends, std::size_t disc, const Member& member,
-                     int link, double distance) {
+/// Returns the separation of a point and a link that in free motion may come within a distance of each other.
+std::optional<Separation> separation_within(const IslandState& state, std::span<const Vec2> ends, std::size_t disc,
+                                            const Member& member, int link, double distance) {
   const std::size_t a = outline_slot(member, link);
   const std::size_t b = outline_slot(member, link + 1);
   const auto& x = state.positions;
@@ -71,7 +72,15 @@ bool may_come_within(const IslandState& state, std::span<const Vec2> ends, std::
   const Vec2 past_a = displacement - (ends[a] - x[a]);
   const Vec2 past_b = displacement - (ends[b] - x[b]);
   const double swept = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
-  return may_be_within(swept, x[disc], x[a], x[b]) && find_separation(x[disc], x[a], x[b]).distance <= swept;
+  if (!may_be_within(swept, x[disc], x[a], x[b])) return std::nullopt;
+  const Separation gap = find_separation(x[disc], x[a], x[b]);
+  if (!(gap.distance <= swept)) return std::nullopt;
+  return gap;
+}
+
+/// Returns whether a point of an outline is an end of a link of it.
+bool is_end_of_link(const Member& member, int k, int link) {
+  return k == link || k == link + 1 || (k == 0 && link + 1 == static_cast<int>(member.cord->outline.size()));
 }
 
 bool may_touch_cords(const IslandState& state, const CordDef& def) {
@@ -79,6 +88,32 @@ bool may_touch_cords(const IslandState& state, const CordDef& def) {
 }
 
 }  // namespace
+
+CandidateFinder::LinkBoxes::LinkBoxes() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  left.fill(infinity);
+  right.fill(-infinity);
+  bottom.fill(infinity);
+  top.fill(-infinity);
+}
+
+void CandidateFinder::LinkBoxes::set(std::size_t k, const Box& box) {
+  left[k] = box.low.x;
+  right[k] = box.high.x;
+  bottom[k] = box.low.y;
+  top[k] = box.high.y;
+}
+
+unsigned CandidateFinder::LinkBoxes::overlapping(const Box& box) const {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < block; ++k) {
+    // Without branches: which boxes overlap is not predictable.
+    const auto x = static_cast<unsigned>(left[k] <= box.high.x) & static_cast<unsigned>(box.low.x <= right[k]);
+    const auto y = static_cast<unsigned>(bottom[k] <= box.high.y) & static_cast<unsigned>(box.low.y <= top[k]);
+    bits |= (x & y) << k;
+  }
+  return bits;
+}
 
 void CandidateFinder::find(IslandState& state, MotionBounds& bounds, Contacts& contacts) {
   contacts.clear(state.points);
@@ -88,7 +123,8 @@ void CandidateFinder::find(IslandState& state, MotionBounds& bounds, Contacts& c
   bounds.find(state);
   for (std::size_t m = 0; m < state.members.size(); ++m) {
     const Member& member = state.members[m];
-    const Search search{state, bounds, contacts, member, bounds.of(m)};
+    touches_.list(*member.cord);
+    const Search search{state, bounds, contacts, member, touches_, bounds.of(m)};
     sweep_outline(search);
     const double longest = member.surroundings.circles.empty() ? 0.0 : longest_link(state, member);
     for (const RigidCircle& circle : member.surroundings.circles) {
@@ -143,7 +179,9 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
     pair.tangent_speed = circle.tangent_speed;
     pair.touch.other = circle.id;
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
-    add_pair(state, search.contacts, member, pair, member.pressing_mass, circle.friction, circle.restitution);
+    add_pair(state, search.contacts,
+             {member, search.touches, member.pressing_mass, circle.friction, circle.restitution},
+             initial_separation(state, search.contacts, pair), pair);
   }
 }
 
@@ -179,7 +217,9 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
     pair.tangent_speed = segment.tangent_speed;
     pair.touch.other = segment.id;
     pair.touch.feature = 2 * k + 1;
-    add_pair(state, search.contacts, member, pair, member.pressing_mass, segment.friction, segment.restitution);
+    add_pair(state, search.contacts,
+             {member, search.touches, member.pressing_mass, segment.friction, segment.restitution},
+             initial_separation(state, search.contacts, pair), pair);
   }
 }
 
@@ -193,7 +233,8 @@ void CandidateFinder::find_cords(IslandState& state, const MotionBounds& bounds,
   for (std::size_t m = 0; m < state.members.size(); ++m) {
     const Member& member = state.members[m];
     if (!member.cord->def.self_contact && !member.cord->def.cord_contact) continue;
-    const Search search{state, bounds, contacts, member, bounds.of(m)};
+    touches_.list(*member.cord);
+    const Search search{state, bounds, contacts, member, touches_, bounds.of(m)};
     for (std::size_t k = 0; k < member.cord->outline.size(); k += block) find_block(search, k, drift);
   }
 }
@@ -211,12 +252,14 @@ void CandidateFinder::box_links(const IslandState& state, const MotionBounds& bo
     };
     for (int k = 0; k < outline_links(*member.cord); ++k) {
       const Box box = widened(joined(swept(k), swept(k + 1)), member.cord->def.radius + bounds.of(m));
-      if (link_boxes_.size() % block == 0) {
+      const std::size_t place = links_.size() % block;
+      if (place == 0) {
+        link_boxes_.emplace_back();
         block_boxes_.push_back(box);
       } else {
         block_boxes_.back() = joined(block_boxes_.back(), box);
       }
-      link_boxes_.push_back(box);
+      link_boxes_.back().set(place, box);
       links_.push_back({m, k});
     }
   }
@@ -242,13 +285,11 @@ void CandidateFinder::find_block(const Search& search, std::size_t k, Vec2 drift
   const Box all =
       std::accumulate(boxes.begin() + 1, boxes.begin() + static_cast<std::ptrdiff_t>(count), boxes[0], joined);
   tree_->query(all, [&](int item) {
-    const std::size_t first = block * at(item);
-    const std::size_t end = std::min(first + block, link_boxes_.size());
     for (std::size_t i = 0; i < count; ++i) {
       if (!overlap(boxes[i], block_boxes_[at(item)])) continue;
-      for (std::size_t link = first; link < end; ++link) {
-        if (!overlap(boxes[i], link_boxes_[link])) continue;
-        find_link(search, static_cast<int>(k + i), links_[link], search.bounds.of(links_[link].member));
+      for (unsigned near = link_boxes_[at(item)].overlapping(boxes[i]); near != 0; near &= near - 1) {
+        const OutlineLink& link = links_[block * at(item) + static_cast<std::size_t>(std::countr_zero(near))];
+        find_link(search, static_cast<int>(k + i), link, search.bounds.of(link.member));
       }
     }
   });
@@ -260,6 +301,7 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const Member& member = search.member;
   const Member& other = state.members[link.member];
   const bool itself = &other == &member;
+  if (itself && is_end_of_link(member, k, link.link)) return;
   if (is_on_wheel(*member.cord, k, true) || is_on_wheel(*other.cord, link.link, false)) return;
   const CordDef& def = member.cord->def;
   if (itself ? !def.self_contact : !member.cord->meets(*other.cord)) return;
@@ -267,7 +309,9 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const double contact_distance = def.radius + other.cord->def.radius;
   const double bound =
       itself && are_close(*member.cord, k, link.link) ? search.bounds.near_of(link.member) : search.bound + other_bound;
-  if (!may_come_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound)) return;
+  const std::optional<Separation> gap =
+      separation_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound);
+  if (!gap) return;
   const auto is_excluded = [&](int of_other) {
     if (itself) return are_neighbours(def, k, of_other);
     return were_neighbours(member, k, other, of_other) || are_tied(state, member, k, other, of_other);
@@ -285,7 +329,8 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   pair.touch.feature = 2 * k + 1;
   pair.touch.other_feature = link.link + 1;
   const double mass = itself ? member.pressing_mass : member.pressing_mass + other.pressing_mass;
-  add_pair(state, search.contacts, member, pair, mass, other.cord->def.friction, other.cord->def.restitution);
+  add_pair(state, search.contacts,
+           {member, search.touches, mass, other.cord->def.friction, other.cord->def.restitution}, *gap, pair);
 }
 
 }  // namespace ribbon

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 #include "ribbon/box.h"
 #include "ribbon/collision/motion_bounds.h"
+#include "ribbon/collision/stored_touches.h"
 #include "ribbon/contact/contacts.h"
 #include "ribbon/geometry/quadtree.h"
 #include "ribbon/system/island_state.h"
@@ -31,7 +33,18 @@ class CandidateFinder {
     const MotionBounds& bounds;
     Contacts& contacts;
     const Member& member;
-    double bound;  // m
+    const StoredTouches& touches;  // of the member
+    double bound;                  // m
+  };
+  static constexpr std::size_t block = 8;  // neighbouring points or links of an outline that are looked for at once
+  /// Boxes of the links of a block, by side, so that all are tested at once. A box that is not set overlaps nothing.
+  struct LinkBoxes {
+    std::array<double, block> left, right, bottom, top;  // m
+
+    LinkBoxes();
+    void set(std::size_t k, const Box& box);
+    /// Returns for each link whether its box overlaps another one, as a bit.
+    unsigned overlapping(const Box& box) const;
   };
   void sweep_outline(const Search& search);
   void find_circle(const Search& search, const RigidCircle& circle, double longest_link);
@@ -42,10 +55,11 @@ class CandidateFinder {
   void find_block(const Search& search, std::size_t k, Vec2 drift);
   static void find_link(const Search& search, int k, const OutlineLink& link, double other_bound);
 
-  Box swept_aabb_;                  // of the cord whose contacts are looked for, within its bound
-  std::vector<Box> outline_boxes_;  // of its outline's points, without the bound
-  std::vector<Box> link_boxes_;     // of all links of cords that may touch cords, in blocks
-  std::vector<Box> block_boxes_;
+  Box swept_aabb_;                     // of the cord whose contacts are looked for, within its bound
+  std::vector<Box> outline_boxes_;     // of its outline's points, without the bound
+  StoredTouches touches_;              // of that cord
+  std::vector<LinkBoxes> link_boxes_;  // of all links of cords that may touch cords
+  std::vector<Box> block_boxes_;       // around each of these blocks
   std::vector<OutlineLink> links_;
   std::unique_ptr<Quadtree> tree_;  // of the blocks
   std::size_t tree_capacity_ = 0;
