@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ribbon/island/island.h"
+#include "ribbon/linear/index.h"
 #include "ribbon/system/cord_parts.h"
 
 namespace ribbon {
@@ -15,8 +16,6 @@ const CordDef& checked(const CordDef& def) {
   check(def);
   return def;
 }
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 void check_point(const CordParts& cord, int point) {
   check_range("point", point, 0, static_cast<double>(cord.size()) - 1.0);
@@ -31,8 +30,8 @@ void set_target(CordParts& cord, int point, Vec2 target, PointKind kind) {
                     std::to_string(pulley.def.before) + " and " + std::to_string(pulley.def.after) +
                     "; accepted is one off the wheels");
   }
-  cord.state.targets[slot(point)] = target;
-  cord.state.kinds[slot(point)] = kind;
+  cord.state.targets[at(point)] = target;
+  cord.state.kinds[at(point)] = kind;
   cord.disturb();
 }
 
@@ -51,13 +50,13 @@ Cord::~Cord() = default;
 
 double Cord::tension(int link) const {
   check_range("link", link, 0, parts_->def.points - 2);
-  return parts_->tension(slot(link));
+  return parts_->tension(at(link));
 }
 
 double Cord::breaking_force(int link) const {
   check_range("link", link, 0, parts_->def.points - 2);
   const std::vector<double>& forces = parts_->state.breaking_forces;
-  return forces.empty() ? parts_->def.breaking_force : forces[slot(link)];
+  return forces.empty() ? parts_->def.breaking_force : forces[at(link)];
 }
 
 void check_axles(const Cord& cord, const Surroundings& surroundings) {
@@ -87,10 +86,10 @@ int Cord::index(int i, int j) const { return i * parts_->def.rows + j; }
 std::span<const Vec2> Cord::positions() const { return parts_->state.positions; }
 std::span<const Vec2> Cord::velocities() const { return parts_->state.velocities; }
 std::span<const double> Cord::tensions() const { return parts_->state.tensions; }
-PointKind Cord::kind(int point) const { return parts_->state.kinds[slot(point)]; }
-Vec2 Cord::target(int point) const { return parts_->state.targets[slot(point)]; }
-double Cord::mass(int point) const { return parts_->state.masses[slot(point)]; }
-double Cord::rest_length(int i) const { return parts_->state.rest[slot(i)]; }
+PointKind Cord::kind(int point) const { return parts_->state.kinds[at(point)]; }
+Vec2 Cord::target(int point) const { return parts_->state.targets[at(point)]; }
+double Cord::mass(int point) const { return parts_->state.masses[at(point)]; }
+double Cord::rest_length(int i) const { return parts_->state.rest[at(i)]; }
 Cord::Energy Cord::energy(Vec2 gravity) const { return parts_->energy(gravity); }
 bool Cord::is_asleep() const { return parts_->state.asleep; }
 void Cord::wake() { parts_->wake(); }
@@ -100,7 +99,7 @@ std::span<const Cord::Holder> Cord::holders() const { return parts_->state.holde
 void Cord::attach_mass(int point, double mass) {
   check_point(*parts_, point);
   check_range("attached mass", mass, 0.0, 1e12);
-  parts_->state.masses[slot(point)] = parts_->own_masses[slot(point)] + mass;
+  parts_->state.masses[at(point)] = parts_->own_masses[at(point)] + mass;
   parts_->disturb();
 }
 
@@ -108,7 +107,7 @@ void Cord::set_load(int point, Vec2 force) {
   check_point(*parts_, point);
   check_coordinates("load", force);
   parts_->state.loads.resize(parts_->size());
-  parts_->state.loads[slot(point)] = force;
+  parts_->state.loads[at(point)] = force;
   parts_->disturb();
 }
 
@@ -118,7 +117,7 @@ void Cord::operate(int point, Vec2 target) { set_target(*parts_, point, target, 
 
 void Cord::release(int point) {
   check_point(*parts_, point);
-  parts_->state.kinds[slot(point)] = PointKind::free;
+  parts_->state.kinds[at(point)] = PointKind::free;
   parts_->disturb();
 }
 
@@ -126,7 +125,7 @@ void Cord::set_velocity(int point, Vec2 velocity) {
   check_point(*parts_, point);
   check_coordinates("velocity", velocity);
   parts_->exclude_damping();
-  parts_->state.velocities[slot(point)] = velocity;
+  parts_->state.velocities[at(point)] = velocity;
   parts_->disturb();
 }
 
@@ -141,7 +140,7 @@ void Cord::set_breaking_force(int link, double force) {
   check_range("link", link, 0, parts_->def.points - 2);
   if (!(force >= 0.0)) refuse("breaking force", force, "0 up to infinity");
   parts_->state.breaking_forces.resize(parts_->state.rest.size(), parts_->def.breaking_force);
-  parts_->state.breaking_forces[slot(link)] = force;
+  parts_->state.breaking_forces[at(link)] = force;
   parts_->wake();
 }
 
@@ -154,9 +153,9 @@ void Cord::reel(int first, int last, double length, double speed) {
   check_range("speed", speed, 0.0, 1e6);
 
   double current = 0.0;
-  for (std::size_t e = slot(first); e < slot(last); ++e) current += parts_->state.rest[e];
+  for (std::size_t e = at(first); e < at(last); ++e) current += parts_->state.rest[e];
   const double link = parts_->def.length / (parts_->def.points - 1);
-  for (std::size_t e = slot(first); e < slot(last); ++e) {
+  for (std::size_t e = at(first); e < at(last); ++e) {
     // The range is a millionth wider, because the sum is rounded.
     check_range("length of a reeled link", parts_->state.rest[e] * (length / current), 0.999999e-3 * link,
                 1.000001e3 * link);
@@ -167,7 +166,7 @@ void Cord::reel(int first, int last, double length, double speed) {
     parts_->rest_end = parts_->state.rest;
     parts_->state.rest_speeds.resize(parts_->state.rest.size());
   }
-  for (std::size_t e = slot(first); e < slot(last); ++e) {
+  for (std::size_t e = at(first); e < at(last); ++e) {
     parts_->state.rest_targets[e] = parts_->state.rest[e] * (length / current);
     parts_->state.rest_speeds[e] = speed * (parts_->state.rest[e] / current);
   }

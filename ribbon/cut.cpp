@@ -9,13 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/system/cord_parts.h"
 #include "ribbon/system/split_ribbon.h"
 
 namespace ribbon {
 namespace {
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 /// The columns of a piece in the uncut cord.
 struct Columns {
@@ -60,7 +59,7 @@ void define(const Cord& cord, const Columns& columns, CordDef& def) {
   def.points = columns.size();
   if (!columns.is_whole()) def.length *= static_cast<double>(columns.links()) / (columns.all - 1);
   if (def.points == 2 && def.rows == 1) def.bending_stiffness = 0.0;
-  const auto positions = cord.positions().subspan(slot(columns.first * columns.rows), slot(def.points * def.rows));
+  const auto positions = cord.positions().subspan(at(columns.first * columns.rows), at(def.points * def.rows));
   def.positions.assign(positions.begin(), positions.end());
   def.pins.clear();
 }
@@ -105,9 +104,9 @@ void take_tensions(const CordParts& whole, const Columns& columns, CordParts& pi
   for (std::size_t term = 0; term < piece.elasticity->terms(); ++term) {
     const std::size_t all = whole.elasticity->tension_count(term);
     const std::size_t count = piece.elasticity->tension_count(term);
-    const std::size_t per_column = columns.is_whole() ? 0 : (all - count) / slot(columns.all - columns.size());
+    const std::size_t per_column = columns.is_whole() ? 0 : (all - count) / at(columns.all - columns.size());
     for (std::size_t k = 0; k < count; ++k) {
-      piece.state.tensions[to + k] = whole.state.tensions[from + slot(columns.first) * per_column + k];
+      piece.state.tensions[to + k] = whole.state.tensions[from + at(columns.first) * per_column + k];
     }
     from += all;
     to += count;
@@ -133,13 +132,13 @@ void take_attachments(const CordParts& whole, const CutPlace& where, int side, c
   const int shift = columns.first * columns.rows;
   const int cut = where.column * columns.rows;
   for (int p = 0; p < static_cast<int>(piece.size()); ++p) {
-    const std::size_t old = slot(p + shift);
+    const std::size_t old = at(p + shift);
     const bool is_cut = p + shift >= cut && p + shift < cut + columns.rows;
     const double attached = is_cut && !keeps ? 0.0 : whole.state.masses[old] - whole.own_masses[old];
-    piece.state.masses[slot(p)] = piece.own_masses[slot(p)] + attached;
-    piece.state.kinds[slot(p)] = is_cut && !keeps ? PointKind::free : whole.state.kinds[old];
-    piece.state.targets[slot(p)] = whole.state.targets[old];
-    if (is_cut && !keeps && !piece.state.loads.empty()) piece.state.loads[slot(p)] = {};
+    piece.state.masses[at(p)] = piece.own_masses[at(p)] + attached;
+    piece.state.kinds[at(p)] = is_cut && !keeps ? PointKind::free : whole.state.kinds[old];
+    piece.state.targets[at(p)] = whole.state.targets[old];
+    if (is_cut && !keeps && !piece.state.loads.empty()) piece.state.loads[at(p)] = {};
   }
 }
 

@@ -61,10 +61,10 @@ Vec2 mirrored(Vec2 other, Vec2 link) {
 }
 
 /// The spline along a link.
-class Piece {
+class CurvePiece {
  public:
   /// From `start`, along the second of three links. None has length 0.
-  Piece(Vec2 start, Vec2 before, Vec2 link, Vec2 after) : start_(start) {
+  CurvePiece(Vec2 start, Vec2 before, Vec2 link, Vec2 after) : start_(start) {
     // Centripetal knot intervals: the square roots of the lengths.
     const double t0 = std::sqrt(length(before));
     const double t1 = std::sqrt(length(link));
@@ -103,7 +103,7 @@ class Row {
       if (is_same_place(at(i), at(i + 1))) {
         for (int n = 1; n < subdivisions; ++n) write(k++, at(i));
       } else if (subdivisions > 1) {
-        const Piece piece = piece_from(i);
+        const CurvePiece piece = piece_from(i);
         for (int n = 1; n < subdivisions; ++n) write(k++, piece.at(1.0 * n / subdivisions));
       }
     }
@@ -111,7 +111,7 @@ class Row {
   }
 
  private:
-  Piece piece_from(int i) const {
+  CurvePiece piece_from(int i) const {
     int before = i - 1;
     while (before >= 0 && is_same_place(at(before), at(i))) --before;
     int after = i + 2;

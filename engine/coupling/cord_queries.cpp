@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/slot.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 constexpr std::size_t block = 8;  // links of a cord that have one box in the tree
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float rounding = 1e-5F;  // of a fraction of a ray, in single precision
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 /// A link of a rope or of the outline of a ribbon.
 struct Link {
@@ -88,7 +87,7 @@ double enter_link(Vec2 from, Vec2 ray, double ray_length, Vec2 a, Vec2 b, double
   return first;
 }
 
-b2AABB to_float(const Box& box) { return {box2d::to_float(box.low), box2d::to_float(box.high)}; }
+b2AABB to_aabb(const Box& box) { return {to_float(box.low), to_float(box.high)}; }
 
 /// The user data of a proxy is the index of its block.
 void* user_data(std::size_t index) {
@@ -190,7 +189,7 @@ void CordQueries::Parts::rebuild() {
     add_links(cord.shape, links);
     cord.end_link = links.size();
     for (std::size_t first = cord.first_link; first < cord.end_link; first += block) {
-      const b2AABB box = to_float(box_of(cord, first, std::min(first + block, cord.end_link)));
+      const b2AABB box = to_aabb(box_of(cord, first, std::min(first + block, cord.end_link)));
       proxies.push_back(tree.CreateProxy(box, user_data(block_cords.size())));
       block_cords.push_back(c);
     }
@@ -222,7 +221,7 @@ void CordQueries::update(const Coupling& coupling) {
     cord.first_block = before.first_block;
     std::size_t index = cord.first_block;
     for (std::size_t first = cord.first_link; first < cord.end_link; first += block, ++index) {
-      const b2AABB box = to_float(parts.box_of(cord, first, std::min(first + block, cord.end_link)));
+      const b2AABB box = to_aabb(parts.box_of(cord, first, std::min(first + block, cord.end_link)));
       parts.tree.MoveProxy(parts.proxies[index], box, {0.0F, 0.0F});
     }
   }
@@ -269,9 +268,9 @@ std::optional<RayHit> CordQueries::ray_cast(Vec2 from, Vec2 to, const QueryFilte
     hit = &cord;
     hit_link = link;
   };
-  const b2RayCastInput input{box2d::to_float(from), box2d::to_float(to), 1.0F};
+  const b2RayCastInput input{to_float(from), to_float(to), 1.0F};
   if (input.p1 == input.p2) {  // not a ray in single precision
-    parts_->for_near(to_float(box_around(from, to, 0.0)), filter, visit);
+    parts_->for_near(to_aabb(box_around(from, to, 0.0)), filter, visit);
   } else {
     const auto visit_block = [&](std::size_t index) {
       parts_->for_links(index, filter, visit);
@@ -301,7 +300,7 @@ std::optional<CordPoint> CordQueries::nearest_place(Vec2 position, double reach,
     place.along = is_across ? 0.0 : link.is_reversed ? 1.0 - share : share;
     if (place.distance <= reach && (!nearest || is_before(place, *nearest))) nearest = place;
   };
-  parts_->for_near(to_float(box_around(position, position, reach)), filter, visit);
+  parts_->for_near(to_aabb(box_around(position, position, reach)), filter, visit);
   return nearest;
 }
 
@@ -319,8 +318,8 @@ void CordQueries::find_overlaps(const b2Shape& shape, const b2Transform& transfo
     parts_->for_near(box, filter, [&](const Entry& cord, const Link& link) {
       // Relative to the shape, so that single precision is fine enough.
       const Vec2 origin = to_double(transform.p);
-      const std::array<b2Vec2, 2> ends{box2d::to_float(parts_->at(cord, link.a) - origin),
-                                       box2d::to_float(parts_->at(cord, link.b) - origin)};
+      const std::array<b2Vec2, 2> ends{to_float(parts_->at(cord, link.a) - origin),
+                                       to_float(parts_->at(cord, link.b) - origin)};
       input.transformA.p.SetZero();
       input.proxyB.Set(ends.data(), 2, static_cast<float>(cord.radius));
       b2SimplexCache cache{};

@@ -1,6 +1,7 @@
 #include "ribbon/box2d/coupled_cord.h"
 
 #include "ribbon/box2d/leaf_search.h"
+#include "ribbon/box2d/slot.h"
 #include "ribbon/cord_sweep.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace {
 constexpr std::size_t usual_fixtures = 64;
 constexpr std::size_t usual_grips = 8;
 constexpr std::size_t usual_touches = 16;
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 CordShape shape_of(const ThesisCord& cord) {
   const Mesh& mesh = cord.mesh();

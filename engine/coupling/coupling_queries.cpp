@@ -5,11 +5,10 @@
 
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/coupling_parts.h"
+#include "ribbon/box2d/slot.h"
 
 namespace ribbon::box2d {
 namespace {
-
-std::size_t slot(int point) { return static_cast<std::size_t>(point); }
 
 /// Returns the place on the link from a point to the next column that is nearest to `position`, or nothing if that is
 /// the end of the link, or if the point is on a wheel. Of a link that runs onto a wheel it is the point before that.

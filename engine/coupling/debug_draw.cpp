@@ -7,6 +7,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling_parts.h"
+#include "ribbon/box2d/slot.h"
 #include "ribbon/geometry/rotation.h"
 
 namespace ribbon::box2d {
@@ -29,8 +30,6 @@ constexpr float free_size = 3.0F;
 constexpr float driven_size = 6.0F;
 constexpr float grip_size = 4.0F;
 constexpr float contact_size = 5.0F;
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 b2Color color_of(const CoupledCord& cord) {
   if (!cord.enabled) return disabled;

@@ -6,11 +6,10 @@
 #include <array>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/box2d/slot.h"
 
 namespace ribbon::box2d {
 namespace {
-
-std::size_t slot(int i) { return static_cast<std::size_t>(i); }
 
 /// Tests parts of a cord against a part of a fixture, in coordinates relative to its body, so that single precision is
 /// fine enough.

@@ -7,7 +7,7 @@
 namespace ribbon {
 namespace {
 
-constexpr std::size_t initial_capacity = 16;  // few scenes need more body anchors, so few steps allocate
+constexpr std::size_t initial_bodies = 16;  // few scenes need more body anchors, so few steps allocate
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void ContactAnchors::clear(std::size_t points) {
 }
 
 int ContactAnchors::add(const BodyAnchor& anchor) {
-  if (bodies_.empty()) bodies_.reserve(initial_capacity);
+  if (bodies_.empty()) bodies_.reserve(initial_bodies);
   bodies_.push_back(anchor);
   return static_cast<int>(points_ + bodies_.size()) - 1;
 }

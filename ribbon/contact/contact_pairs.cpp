@@ -6,7 +6,7 @@
 namespace ribbon {
 namespace {
 
-constexpr std::size_t initial_capacity = 64;  // few scenes need more, so few steps allocate
+constexpr std::size_t initial_pairs = 64;  // few scenes need more, so few steps allocate
 constexpr double min_overlap_fraction = 0.5;
 constexpr double max_overlap_fraction = 0.95;
 
@@ -18,7 +18,7 @@ void ContactPairs::clear() {
 }
 
 void ContactPairs::add(const ContactPair& pair, double cord_radius) {
-  if (pairs_.empty()) pairs_.reserve(initial_capacity);
+  if (pairs_.empty()) pairs_.reserve(initial_pairs);
   pairs_.push_back(pair);
   geometries_.reserve(pairs_.capacity());
   const double overlap =

@@ -3,9 +3,8 @@
 namespace ribbon {
 namespace {
 
-constexpr double tolerated_gain = 5e-4;  // of the scene's energy
-constexpr double reduction = 0.8;        // of the impulse, until the energy has not risen
-constexpr double min_share = 0.1;        // of the impulse: one that has to be less is left out
+constexpr double reduction = 0.8;  // of the impulse, until the energy has not risen
+constexpr double min_share = 0.1;  // of the impulse: one that has to be less is left out
 
 }  // namespace
 
@@ -23,7 +22,8 @@ void Restitution::apply(const StepContext& context, const Cord::Energy& before, 
     }
     state.restart = true;
     state.add_damping(1.0);
-    if (!context.gained_energy(before, tolerated_gain)) return context.contacts.impacts.record_restitution(share, dt);
+    if (!context.gained_energy(before, EnergyGuard::tolerated_gain))
+      return context.contacts.impacts.record_restitution(share, dt);
     state.add_damping(-1.0);
   }
   state.velocities = velocities_;

@@ -10,7 +10,7 @@ namespace ribbon {
 namespace {
 
 constexpr int max_halvings = 6;
-constexpr double tolerated_gain = 1e-3;  // of the scene's energy
+constexpr double max_gain = 1e-3;  // of the scene's energy
 
 }  // namespace
 
@@ -27,7 +27,7 @@ bool Rollback::apply(const StepContext& context, const Cord::Energy& before, boo
   const bool moved = state.frame_velocity != Vec2{};
   if (moved || EnergyGuard::is_driven(state, context.contacts)) return limit_speeds(state);
   const bool limited = state.in_medium && limit_speeds(state);
-  const auto is_sound = [&] { return !context.gained_energy(before, tolerated_gain) && !is_stretched(state); };
+  const auto is_sound = [&] { return !context.gained_energy(before, max_gain) && !is_stretched(state); };
   if (is_sound()) return limited;
   begin(context);
   if (truncated) context.contacts.linearised.forget_forces(context.contacts.forces);

@@ -8,7 +8,6 @@
 namespace ribbon {
 namespace {
 
-constexpr double max_push_in_radii = 0.5;           // per pair
 constexpr double max_grip_pull_in_spacings = 0.25;  // per substep; so a grip that was moved far does not kick its body
 
 /// Applies an impulse [N·s] at `arm` [m] from the centre of mass: to the motion of the body in this substep, and to the

@@ -44,6 +44,9 @@ struct Circle {
 std::optional<Contact> find_contact(const Mesh& mesh, const Triangle& triangle, std::span<const Vec2> positions,
                                     const Circle& circle);
 
+/// Radii of what is pushed, the most that a contact moves it by in a substep. More would throw a crumpled cord apart.
+inline constexpr double max_push_in_radii = 0.5;
+
 /// Resolves at most `max_push` [m] of a contact: Eqs. 3.26 and 3.27 with the weights as masses, m_c = 1/w_c and
 /// m_t = 1/Σ b_j²·w_j, each side moving by the other's share. Moves the points of the cord by −λ·b_j·w_j·d and returns
 /// λ [kg·m]; the caller moves the circle by λ·w_c·d. Returns 0 if neither side can move.

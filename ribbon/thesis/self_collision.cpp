@@ -5,12 +5,6 @@
 #include "ribbon/thesis/tangle.h"
 
 namespace ribbon {
-namespace {
-
-constexpr double max_push_in_radii = 0.5;  // per pair; more would throw a crumpled cord apart
-
-}  // namespace
-
 SelfCollision::SelfCollision(const ThesisDef& def, const Mesh& mesh)
     : def_(&def), mesh_(&mesh), broad_phase_(mesh, true), radii_(at(mesh.size()), def.radius), tangled_(at(mesh.w)) {
   broad_phase_.reserve(radii_.size());
