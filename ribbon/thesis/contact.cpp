@@ -95,9 +95,10 @@ std::optional<Contact> find_contact(const Mesh& mesh, const Triangle& triangle, 
   const NearestPoint t = nearest_on_triangle_edges(c, corners);
   const Vec2 away = c - t.point;
   const double distance2 = dot(away, away);
-  if (distance2 >= r * r) return std::nullopt;
+  if (distance2 >= r * r) return std::nullopt;  // Eq. 3.22
   const double distance = std::sqrt(distance2);
   if (distance == 0.0) return find_exit(mesh, positions, circle);  // on a triangle without area
+  // Eqs. 3.23 and 3.24, of which the sign is corrected.
   return Contact{(1.0 / distance) * away, r - distance, {triangle.a, triangle.b, triangle.c}, t.weight};
 }
 
