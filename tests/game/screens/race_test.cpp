@@ -120,5 +120,13 @@ TEST(GhostProgram, RacesAgainstARecordingOfTheSameLevelOnly) {
   EXPECT_EQ(ropeswing("--replay " + golden() + " --ghost " + golden(), dummy).status, 2);
 }
 
+TEST(Race, TheResultsNameThoseThatWereEntered) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(splits_in_words({}, {}), Lines());
+  EXPECT_EQ(splits_in_words({std::nullopt}, {60}), Lines());
+  EXPECT_EQ(splits_in_words({60, std::nullopt, 180, 240}, {120, 130, std::nullopt}),
+            (Lines{"Checkpoint 1: 1.00 s (−1.00 s)   3: 3.00 s", "Checkpoint 4: 4.00 s"}));
+}
+
 }  // namespace
 }  // namespace game

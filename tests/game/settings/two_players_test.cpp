@@ -92,6 +92,38 @@ TEST(TwoHalves, EachPlayerHasAGamepadOfItsOwn) {
   EXPECT_TRUE(input.held(PadButton::a));
 }
 
+/// Each player's stick, and no mouse of the other one, moves its own aim.
+TEST(TwoHalves, EachStickAimsForItsPlayer) {
+  const Settings settings;
+  Controls first;
+  Controls second;
+  engine::InputState events;
+  events.pad_found();
+  events.pad_found();
+  const auto take = [&] {
+    const engine::WindowInput input = events.take();
+    first.take(input_of(0, input), bindings_of(0, settings), false, ribbon::Vec2{30.0, 3.0}, false);
+    second.take(input_of(1, input), bindings_of(1, settings), false, std::nullopt, false);
+  };
+  const ribbon::Vec2 hand{5.0, 6.0};
+  take();
+  EXPECT_EQ(first.pointer(hand), (ribbon::Vec2{30.0, 3.0}));
+  EXPECT_FALSE(second.pointer(hand));
+  events.stick_x(engine::PadStick::right, -1.0, 1);
+  take();
+  EXPECT_EQ(first.pointer(hand), (ribbon::Vec2{30.0, 3.0}));
+  ASSERT_TRUE(second.pointer(hand));
+  EXPECT_NEAR(second.pointer(hand)->x, hand.x - Controls::pad_aim, 1e-6);
+  events.mouse_at({100.0, 100.0});
+  events.button_down(engine::MouseButton::left);
+  take();
+  EXPECT_TRUE(second.pointer(hand)) << "the mouse is the first player's";
+  events.stick_y(engine::PadStick::right, 1.0, 0);
+  take();
+  EXPECT_GT(first.pointer(hand)->y, hand.y + 5.0);
+  EXPECT_LT(second.pointer(hand)->x, hand.x - 5.0);
+}
+
 TEST(TwoHalves, AKeyThatTheSecondPlayerGetsIsTakenFromTheFirst) {
   Settings settings;
   settings.second_bindings.bind(Action::jump, Key::e);

@@ -6,8 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "game/settings/controls.h"
-#include "game/settings/two_players.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/recorded_run.h"
 #include "tests/game/program.h"
@@ -49,38 +47,6 @@ TEST(SecondAim, WithoutAPointerItIsAhead) {
   simulation.tick(press(0, 0));
   ASSERT_TRUE(simulation.target(1));
   EXPECT_GT(simulation.target(1)->place().x, simulation.player(1).hand().x + 1.0);
-}
-
-/// Each player's stick, and no mouse of the other one, moves its own aim.
-TEST(SecondAim, EachStickAimsForItsPlayer) {
-  const Settings settings;
-  Controls first;
-  Controls second;
-  engine::InputState events;
-  events.pad_found();
-  events.pad_found();
-  const auto take = [&] {
-    const engine::WindowInput input = events.take();
-    first.take(input_of(0, input), bindings_of(0, settings), false, Vec2{30.0, 3.0}, false);
-    second.take(input_of(1, input), bindings_of(1, settings), false, std::nullopt, false);
-  };
-  const Vec2 hand{5.0, 6.0};
-  take();
-  EXPECT_EQ(first.pointer(hand), (Vec2{30.0, 3.0}));
-  EXPECT_FALSE(second.pointer(hand));
-  events.stick_x(engine::PadStick::right, -1.0, 1);
-  take();
-  EXPECT_EQ(first.pointer(hand), (Vec2{30.0, 3.0}));
-  ASSERT_TRUE(second.pointer(hand));
-  EXPECT_NEAR(second.pointer(hand)->x, hand.x - Controls::pad_aim, 1e-6);
-  events.mouse_at({100.0, 100.0});
-  events.button_down(engine::MouseButton::left);
-  take();
-  EXPECT_TRUE(second.pointer(hand)) << "the mouse is the first player's";
-  events.stick_y(engine::PadStick::right, 1.0, 0);
-  take();
-  EXPECT_GT(first.pointer(hand)->y, hand.y + 5.0);
-  EXPECT_LT(second.pointer(hand)->x, hand.x - 5.0);
 }
 
 /// A level of 40 × 20 m with a ceiling at which lines stick, as a file.

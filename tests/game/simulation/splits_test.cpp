@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "game/screens/level_facts.h"
 #include "game/simulation/buttons.h"
 #include "game/simulation/ghost.h"
 #include "tests/game/program.h"
@@ -69,14 +68,6 @@ TEST(Splits, ADifferenceHasItsSign) {
   EXPECT_EQ(difference_in_words(125, 100), "+0.42 s");
   EXPECT_EQ(difference_in_words(37, 100), "−1.05 s");
   EXPECT_EQ(difference_in_words(100, 100), "±0.00 s");
-}
-
-TEST(Splits, TheResultsNameThoseThatWereEntered) {
-  using Lines = std::vector<std::string>;
-  EXPECT_EQ(splits_in_words({}, {}), Lines());
-  EXPECT_EQ(splits_in_words({std::nullopt}, {60}), Lines());
-  EXPECT_EQ(splits_in_words({60, std::nullopt, 180, 240}, {120, 130, std::nullopt}),
-            (Lines{"Checkpoint 1: 1.00 s (−1.00 s)   3: 3.00 s", "Checkpoint 4: 4.00 s"}));
 }
 
 }  // namespace
