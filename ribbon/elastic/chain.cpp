@@ -260,16 +260,9 @@ double Chain::energy(const Motion& motion, std::span<const double> tensions) con
   double sum = 0.0;
   for (std::size_t e = 0; e < rest_lengths_.size(); ++e) {
     if (is_left_out(e)) continue;
-    double tension = tensions[e];
-    double rate = 0.0;
-    if (damping_ > 0.0) {
-      if (tension != 0.0) {
-        rate = extension_rate(motion, e, e + 1);
-      } else if (tension_only_) {  // it may be longer than at rest, and shorten too fast to pull
-        tension = static_tension({length(motion.x[e + 1] - motion.x[e]) - rest_lengths_[e], compliance(e)}, true);
-      }
-    }
-    sum += elastic_energy(tension, compliance(e), damping_, rate, tension_only_);
+    const auto rate = [&] { return extension_rate(motion, e, e + 1); };
+    const auto elongation = [&] { return length(motion.x[e + 1] - motion.x[e]) - rest_lengths_[e]; };
+    sum += damped_elastic_energy(tensions[e], compliance(e), damping_, tension_only_, rate, elongation);
   }
   return sum;
 }

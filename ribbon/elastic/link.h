@@ -62,6 +62,17 @@ inline double elastic_energy(double tension, double compliance, double damping, 
   return 0.5 * c * c / compliance;
 }
 
+/// Returns the elastic energy [J] of a link of a cord. rate() [m/s] and elongation() [m] are only called if it is
+/// damped: one that cannot push and shortens too fast to pull has a tension of zero, and the energy of its length.
+template <typename Rate, typename Elongation>
+double damped_elastic_energy(double tension, double compliance, double damping, bool tension_only, Rate&& rate,
+                             Elongation&& elongation) {
+  if (damping <= 0.0) return elastic_energy(tension, compliance, damping, 0.0, tension_only);
+  if (tension != 0.0) return elastic_energy(tension, compliance, damping, rate(), tension_only);
+  const double at_rest = tension_only ? static_tension({elongation(), compliance}, true) : 0.0;
+  return elastic_energy(at_rest, compliance, damping, 0.0, tension_only);
+}
+
 /// Returns the exact penalty φ(c) [J]: ½·c²/α up to the tension Λ = `max_tension`, and beyond it linear in |c| with the
 /// slope Λ. So a line search works for any stiffness.
 ///

@@ -175,16 +175,9 @@ double Links::energy(const Motion& motion, std::span<const double> tensions) con
   double sum = 0.0;
   for (std::size_t e = 0; e < links_.size(); ++e) {
     const Link& link = links_[e];
-    double tension = tensions[e];
-    double rate = 0.0;
-    if (damping_ > 0.0) {
-      if (tension != 0.0) {
-        rate = extension_rate(motion, at(link.a), at(link.b));
-      } else if (tension_only_) {  // it may be longer than at rest, and shorten too fast to pull
-        tension = static_tension({length(vector(motion.x, link)) - link.rest_length, compliance(link)}, true);
-      }
-    }
-    sum += elastic_energy(tension, compliance(link), damping_, rate, tension_only_);
+    const auto rate = [&] { return extension_rate(motion, at(link.a), at(link.b)); };
+    const auto elongation = [&] { return length(vector(motion.x, link)) - link.rest_length; };
+    sum += damped_elastic_energy(tensions[e], compliance(link), damping_, tension_only_, rate, elongation);
   }
   return sum;
 }
