@@ -97,7 +97,7 @@ bool Island::take_substeps(bool linearised) {
   const bool truncated = truncates(linearised);
   if (truncated && linearised_step_.take_truncated(context(), restitution_)) return true;
   if (linearised) {
-    linearised_step_.take(context(), restitution_);
+    linearised_step_.take(context(), restitution_, !truncated);
     return true;
   }
   if (truncated) return false;

@@ -46,7 +46,7 @@ double impact_time(const StepContext& context, double max) {
 
 }  // namespace
 
-void LinearisedStep::take(const StepContext& context, Restitution& restitution) {
+void LinearisedStep::take(const StepContext& context, Restitution& restitution, bool may_truncate) {
   IslandState& state = context.state;
   StepWork& work = context.work;
   ++work.report.posed;
@@ -63,7 +63,7 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
     const double dt = last ? left : std::min(max, next_piece(context, time, left));
     if (last) is_impact_ = impact_is_due_ = false;
     const ContactSolve solve = is_impact_ ? ContactSolve::linearised_impact : ContactSolve::linearised;
-    const Piece taken = take_piece(context, time, dt, solve);
+    Piece taken = take_piece(context, time, dt, solve);
     const bool good = taken.solved && !taken.result.cut;
     const bool is_repeat = dt == left && (piece >= max_pieces || work.redoing_is_over());
     if (!good && !last && !is_repeat) {
@@ -73,6 +73,8 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution) 
       impact_is_due_ = false;
       continue;
     }
+    const bool hangs = !taken.solved && taken.result.cut;
+    if (hangs && may_truncate && !work.has_spent()) taken = retake_truncated(context, time, dt);
     end_piece(context, taken, dt, restitution);
     time = dt == left ? state.dt : time + dt;
     max = state.dt - time;
@@ -131,6 +133,13 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
   context.stages.set_contact_solve(ContactSolve::newton);
   piece.result = context.stages.linearised_result();
   return piece;
+}
+
+/// Retakes a piece that is not solved and in which something was stopped. That would find the same problem in the next
+/// step, fail at it again, and hang where it is.
+LinearisedStep::Piece LinearisedStep::retake_truncated(const StepContext& context, double time, double dt) const {
+  context.return_to_start();
+  return take_piece(context, time, dt, ContactSolve::truncated);
 }
 
 /// Reports the piece, and ends it.

@@ -14,7 +14,8 @@ namespace ribbon {
 class LinearisedStep {
  public:
   void resize(std::size_t slots, std::size_t tensions) { rollback_.resize(slots, tensions); }
-  void take(const StepContext& context, Restitution& restitution);
+  /// Takes the step. If `may_truncate`, a last piece that is neither solved nor free is taken with a truncated solve.
+  void take(const StepContext& context, Restitution& restitution, bool may_truncate);
   /// Takes the step in one piece, whose solve is truncated. Returns false, at the start of the step, if a matrix is not
   /// definite.
   bool take_truncated(const StepContext& context, Restitution& restitution);
@@ -29,6 +30,7 @@ class LinearisedStep {
   };
   double next_piece(const StepContext& context, double time, double left);
   Piece take_piece(const StepContext& context, double time, double dt, ContactSolve solve) const;
+  Piece retake_truncated(const StepContext& context, double time, double dt) const;
   void end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
   bool take_back(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
 

@@ -39,6 +39,17 @@ bool is_torn_apart(const IslandState& state, const Stage& stage) {
   });
 }
 
+/// Returns whether something is torn apart, and the stage is now proximal because of it. Not at a wheel, which slips by
+/// the tensions.
+bool becomes_proximal(const StageContext& context, Stage& stage) {
+  const IslandState& state = context.state;
+  if (stage.is_proximal || !state.wheels.empty() || !is_torn_apart(state, stage)) return false;
+  stage.is_proximal = true;
+  return true;
+}
+
+void forget_tensions(IslandState& state) { std::fill(state.tensions.begin(), state.tensions.end(), 0.0); }
+
 }  // namespace
 
 void LinearisedStage::resize(std::size_t slots, std::size_t tensions) {
@@ -67,6 +78,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   Course course;
   const bool impact = kind == ContactSolve::linearised_impact;
   if (kind == ContactSolve::truncated) {
+    if (becomes_proximal(context, stage)) forget_tensions(state);
     truncate(context, request, stage, course);
   } else {
     const int max = impact ? impact_linearisations : max_linearisations;
@@ -119,10 +131,7 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
   LinearisedResult& result = course.result;
   const bool others =
       !contacts.empty() && k > 0 && k < contact_searches && contacts.linearise(request.from, state.positions);
-  if (!stage.is_proximal && state.wheels.empty() && is_torn_apart(state, stage)) {  // a wheel slips by the tensions
-    stage.is_proximal = true;
-    if (k > 0) std::fill(state.tensions.begin(), state.tensions.end(), 0.0);
-  }
+  if (becomes_proximal(context, stage) && k > 0) forget_tensions(state);
   append_rows(context, stage);
   if (k >= contact_searches) {
     store_best(context, stage, course);
@@ -133,7 +142,7 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
   if (solved == ConvexSolver::Result::failed) {
     // The tensions of what was torn apart make a matrix that is definite in no precision: once without them.
     if (k > 0) return Iteration::ended;
-    std::fill(state.tensions.begin(), state.tensions.end(), 0.0);
+    forget_tensions(state);
     return Iteration::next;
   }
   result.position_error = newton.largest_displacement(state);
