@@ -1,6 +1,7 @@
 #include "ribbon/island/linearised_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ribbon/island/momentum.h"
@@ -44,6 +45,19 @@ double impact_time(const StepContext& context, double max) {
   return highest * max > distance ? distance / highest : max;
 }
 
+/// Returns whether an inextensible cord was stopped, or another one that is still where the piece began. The truncated
+/// solve of an extensible cord that is crushed would be taken back because of its energy.
+bool leaves_hanging(const IslandState& state) {
+  return std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
+    if (!member.stopped) return false;
+    if (!std::isfinite(member.cord->def.stretch_stiffness)) return true;
+    for (std::size_t p = member.first_point; p < member.end_point(); ++p) {
+      if (length(state.positions[p] - state.start.positions[p]) > state.tolerance) return false;
+    }
+    return true;
+  });
+}
+
 }  // namespace
 
 void LinearisedStep::take(const StepContext& context, Restitution& restitution, bool may_truncate) {
@@ -73,7 +87,7 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution, 
       impact_is_due_ = false;
       continue;
     }
-    const bool hangs = !taken.solved && taken.result.cut;
+    const bool hangs = !taken.solved && taken.result.cut && leaves_hanging(state);
     if (hangs && may_truncate && !work.has_spent()) taken = retake_truncated(context, time, dt);
     end_piece(context, taken, dt, restitution);
     time = dt == left ? state.dt : time + dt;
@@ -135,8 +149,8 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
   return piece;
 }
 
-/// Retakes a piece that is not solved and in which something was stopped. That would find the same problem in the next
-/// step, fail at it again, and hang where it is.
+/// Retakes a piece that is not solved and in which something was stopped. In the next step that would find the same
+/// problem, fail at it again, and hang where it is.
 LinearisedStep::Piece LinearisedStep::retake_truncated(const StepContext& context, double time, double dt) const {
   context.return_to_start();
   return take_piece(context, time, dt, ContactSolve::truncated);

@@ -14,7 +14,8 @@ namespace ribbon {
 class LinearisedStep {
  public:
   void resize(std::size_t slots, std::size_t tensions) { rollback_.resize(slots, tensions); }
-  /// Takes the step. If `may_truncate`, a last piece that is neither solved nor free is taken with a truncated solve.
+  /// Takes the step. If `may_truncate`, a last piece that is not solved and would leave a cord hanging is taken with a
+  /// truncated solve.
   void take(const StepContext& context, Restitution& restitution, bool may_truncate);
   /// Takes the step in one piece, whose solve is truncated. Returns false, at the start of the step, if a matrix is not
   /// definite.

@@ -1,6 +1,7 @@
 #include "ribbon/stage/linearised_stage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
@@ -48,6 +49,15 @@ bool becomes_proximal(const StageContext& context, Stage& stage) {
   return true;
 }
 
+/// The tensions of extensible cords are those of their shapes.
+void forget_inextensible_tensions(IslandState& state) {
+  for (const Member& member : state.members) {
+    if (std::isfinite(member.cord->def.stretch_stiffness)) continue;
+    const auto tensions = IslandState::tensions_of(member, state.tensions);
+    std::fill(tensions.begin(), tensions.end(), 0.0);
+  }
+}
+
 void forget_tensions(IslandState& state) { std::fill(state.tensions.begin(), state.tensions.end(), 0.0); }
 
 }  // namespace
@@ -78,7 +88,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   Course course;
   const bool impact = kind == ContactSolve::linearised_impact;
   if (kind == ContactSolve::truncated) {
-    if (becomes_proximal(context, stage)) forget_tensions(state);
+    if (becomes_proximal(context, stage)) forget_inextensible_tensions(state);
     truncate(context, request, stage, course);
   } else {
     const int max = impact ? impact_linearisations : max_linearisations;
