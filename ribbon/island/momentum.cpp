@@ -86,6 +86,18 @@ bool limit_spins(IslandState& state, double max) {
   return any;
 }
 
+/// Returns the highest speed, m/s, of what was as fast as anything at the start of the substep and has fallen since.
+double max_fall_speed(const IslandState& state) {
+  double gravity = length(state.gravity);
+  for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
+  double pushed = 0.0;
+  for (const Member& member : state.members) {
+    if (!member.in_medium) continue;
+    pushed = std::max(pushed, max_medium_push(*member.cord, member.surroundings, state.dt, state.gravity).delta_v);
+  }
+  return highest_start_speed(state) + gravity * state.dt + pushed;
+}
+
 }  // namespace
 
 void slow_down(IslandState& state, double excess) {
@@ -134,15 +146,17 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
   }
 }
 
-bool limit_speeds(IslandState& state) {
-  double gravity = length(state.gravity);
-  for (std::size_t p = 0; p < state.points; ++p) gravity = std::max(gravity, length(state.free_accelerations[p]));
-  double pushed = 0.0;
-  for (const Member& member : state.members) {
-    if (!member.in_medium) continue;
-    pushed = std::max(pushed, max_medium_push(*member.cord, member.surroundings, state.dt, state.gravity).delta_v);
+bool is_thrown(const IslandState& state) {
+  if (!state.driven || !became_stretched(state)) return false;
+  const double max = max_fall_speed(state);
+  for (std::size_t p = 0; p < state.points; ++p) {
+    if (state.constrained[p] == 0 && length(state.velocities[p]) > max) return true;
   }
-  const double max = highest_start_speed(state) + gravity * state.dt + pushed;
+  return false;
+}
+
+bool limit_speeds(IslandState& state) {
+  const double max = max_fall_speed(state);
   state.add_damping(-1.0);
   bool any = limit_spins(state, max);
   for (std::size_t p = 0; p < state.slots(); ++p) {

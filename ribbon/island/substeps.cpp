@@ -99,7 +99,8 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
 
 /// Returns whether the substep converged and gained no energy. If not, it returns to the start.
 bool Substeps::accept(const StepContext& context, bool converged, const Cord::Energy& before) {
-  if (converged && !context.gained_energy(before, EnergyGuard::tolerated_gain)) return true;
+  if (converged && !is_thrown(context.state) && !context.gained_energy(before, EnergyGuard::tolerated_gain))
+    return true;
   IslandReport& report = context.work.report;
   ++(converged ? report.energy_gains : report.fallbacks);
   context.state.restart = true;  // the acceleration of implicit Euler is of first order
@@ -116,7 +117,7 @@ bool Substeps::take_damped(const StepContext& context, double time, double dt, c
     return take_halved(context, time, dt, before);
   }
   return !context.work.attempt_is_over() && Integrators::implicit_euler(context, time, dt) &&
-         !context.gained_energy(before, gross_gain);
+         !is_thrown(context.state) && !context.gained_energy(before, gross_gain);
 }
 
 /// In a stiff cord the error that the tolerance leaves, times a tension, can be energy too. Then all of the substep is

@@ -18,7 +18,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"grips", build_grips, drive_grips, 180, 0x93df58580d9e85ed},
     {"self_contact", build_self_contact, nullptr, 80, 0xed61214472cae85e},
     {"thesis", build_thesis, drive_thesis, 180, 0xcbffe2fca1a6f43d},
-    {"rough", build_rough, drive_rough, 120, 0x54cbbbfe7294d258},
+    {"rough", build_rough, drive_rough, 120, 0x6cc7d9427d564cde},
     {"asleep", build_asleep, drive_asleep, 220, 0x92f1a7f546f39269},
     {"ties", build_ties, drive_ties, 120, 0x7b09de532ef6357b},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
