@@ -78,11 +78,6 @@ std::optional<Separation> separation_within(const IslandState& state, std::span<
   return gap;
 }
 
-/// Returns whether a point of an outline is an end of a link of it.
-bool is_end_of_link(const Member& member, int k, int link) {
-  return k == link || k == link + 1 || (k == 0 && link + 1 == static_cast<int>(member.cord->outline.size()));
-}
-
 bool may_touch_cords(const IslandState& state, const CordDef& def) {
   return def.self_contact || (def.cord_contact && state.members.size() > 1);
 }
@@ -301,7 +296,7 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const Member& member = search.member;
   const Member& other = state.members[link.member];
   const bool itself = &other == &member;
-  if (itself && is_end_of_link(member, k, link.link)) return;
+  if (itself && is_end_of_link(member.cord->def, k, link.link)) return;
   if (is_on_wheel(*member.cord, k, true) || is_on_wheel(*other.cord, link.link, false)) return;
   const CordDef& def = member.cord->def;
   if (itself ? !def.self_contact : !member.cord->meets(*other.cord)) return;

@@ -122,10 +122,16 @@ bool are_tied(const IslandState& state, const Member& member, int k, const Membe
   return false;
 }
 
+bool is_end_of_link(const CordDef& def, int k, int link) {
+  const int size = outline_points(def);
+  const int first = link < 0 ? link + size : link >= size ? link - size : link;
+  return k == first || k == (first + 1 < size ? first + 1 : 0);
+}
+
 bool are_neighbours(const CordDef& def, int k, int link) {
   const int size = outline_points(def);
   if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
-  if (k == (link + size) % size || k == (link + 1 + size) % size) return true;
+  if (is_end_of_link(def, k, link)) return true;
   const Separation gap = find_separation(rest_position(def, k), rest_position(def, link), rest_position(def, link + 1));
   return gap.distance < neighbourhood * def.radius;
 }

@@ -22,6 +22,8 @@ ContactPair pair_with_point(const Member& member, int k);
 inline constexpr int close_links = 6;
 /// Returns whether point k and both ends of a link are at most `close_links` apart; see MotionBounds::near_of.
 bool are_close(const CordParts& cord, int k, int link);
+/// Returns whether point k is an end of a link, −1 … points. The outline is taken for closed.
+bool is_end_of_link(const CordDef& def, int k, int link);
 /// Returns whether point k and a link are so near each other in the straight cord that contact could not part them.
 bool are_neighbours(const CordDef& def, int k, int link);
 

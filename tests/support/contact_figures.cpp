@@ -6,6 +6,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/elastic/cell.h"
 #include "ribbon/geometry/separation.h"
+#include "tests/support/slot.h"
 
 namespace test_support {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 using ribbon::find_separation;
 using ribbon::Vec2;
 using ribbon::box2d::to_double;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Bounds {
   Vec2 low, high;
@@ -127,10 +126,10 @@ std::vector<Vec2> outline_of(std::span<const Vec2> points, int rows) {
   if (rows == 1) return {points.begin(), points.end()};
   const int columns = static_cast<int>(points.size()) / rows;
   std::vector<Vec2> around;
-  for (int i = 0; i < columns; ++i) around.push_back(points[at(i * rows)]);
-  for (int j = 1; j + 1 < rows; ++j) around.push_back(points[at((columns - 1) * rows + j)]);
-  for (int i = columns; i-- > 0;) around.push_back(points[at(i * rows + rows - 1)]);
-  for (int j = rows - 1; j-- > 1;) around.push_back(points[at(j)]);
+  for (int i = 0; i < columns; ++i) around.push_back(points[slot(i * rows)]);
+  for (int j = 1; j + 1 < rows; ++j) around.push_back(points[slot((columns - 1) * rows + j)]);
+  for (int i = columns; i-- > 0;) around.push_back(points[slot(i * rows + rows - 1)]);
+  for (int j = rows - 1; j-- > 1;) around.push_back(points[slot(j)]);
   return around;
 }
 
@@ -146,7 +145,7 @@ int mutual_crossings(const CoupledWorld& world) {
   int count = 0;
   for (int a = 0; a < world.cords(); ++a) {
     for (int b = a + 1; b < world.cords(); ++b) {
-      count += mutual_crossings(lines[at(a)], world.is_closed(a), lines[at(b)], world.is_closed(b));
+      count += mutual_crossings(lines[slot(a)], world.is_closed(a), lines[slot(b)], world.is_closed(b));
     }
   }
   return count;
@@ -159,8 +158,8 @@ int inverted_cells(const CoupledWorld& world) {
     const std::vector<Vec2> x = world.points(c);
     for (int i = 0; i + 1 < world.def(c).points; ++i) {
       for (int j = 0; j + 1 < rows; ++j) {
-        const ribbon::Corners corners{x[at(i * rows + j)], x[at(i * rows + j + 1)], x[at((i + 1) * rows + j)],
-                                      x[at((i + 1) * rows + j + 1)]};
+        const ribbon::Corners corners{x[slot(i * rows + j)], x[slot(i * rows + j + 1)], x[slot((i + 1) * rows + j)],
+                                      x[slot((i + 1) * rows + j + 1)]};
         const auto areas = doubled_corner_areas(corners);
         count += std::any_of(areas.begin(), areas.end(), [](double area) { return area <= 0.0; }) ? 1 : 0;
       }

@@ -4,6 +4,7 @@
 
 #include "game/lab/scene_list.h"
 #include "tests/support/dice.h"
+#include "tests/support/slot.h"
 
 namespace test_support {
 namespace {
@@ -13,8 +14,6 @@ using ribbon::CordDef;
 using ribbon::Vec2;
 
 constexpr double pi = std::numbers::pi;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Returns two rows of a ribbon, at half of `width` to both sides of a line: the second one to its left.
 std::vector<Vec2> two_rows(const std::vector<Vec2>& line, double width) {
@@ -196,7 +195,7 @@ void pull_coil(CoupledWorld& world, double force) {
   const std::vector<Vec2> x = world.points(0);
   const int rows = world.def(0).rows;
   const int last = static_cast<int>(x.size()) - 1;
-  const Vec2 along = x[at(last)] - x[at(last - rows)];
+  const Vec2 along = x[slot(last)] - x[slot(last - rows)];
   for (int j = 0; j < rows; ++j) world.pull(0, last - j, (force / (rows * length(along))) * along);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/tick/input.h"
+#include "game/simulation/buttons.h"
 #include "game/simulation/simulation.h"
 
 namespace test_support {
@@ -24,7 +25,9 @@ struct Move {
 /// Returns the key that pumps a swing below `top` [m]: that of its direction as it passes below, none on the way up.
 int pumping(const game::Simulation& simulation, ribbon::Vec2 top);
 
-// Moves for the scripts of levels. `side` is game::button_left or game::button_right.
+// Moves for the scripts of levels. `side` is left or right.
+inline constexpr int left = game::button_left;
+inline constexpr int right = game::button_right;
 Move wait(int ticks);
 Move hold(int buttons, Move::Until until);
 /// Runs until the player's middle has passed x [m].

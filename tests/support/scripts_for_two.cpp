@@ -13,9 +13,7 @@ namespace {
 
 using game::Simulation;
 
-constexpr int left = game::button_left;
-constexpr int right = game::button_right;
-constexpr int jump = game::button_jump;
+constexpr int hop = game::button_jump;
 constexpr int grab = game::button_grab;
 constexpr int reel_in = game::button_reel_in;
 
@@ -51,14 +49,14 @@ Move to_flag(int player, double place) {
             const double off = place - x(s, player);
             const bool is_stuck = s.player(player).is_on_ground() && std::abs(off) > 0.6 && k % 20 < 10 &&
                                   std::abs(s.player(player).body().GetLinearVelocity().x) < 0.1F;
-            return (off > 0.4 ? right : off < -0.4 ? left : 0) | (is_stuck ? jump : 0);
+            return (off > 0.4 ? right : off < -0.4 ? left : 0) | (is_stuck ? hop : 0);
           },
           [](const Simulation& s, int) { return s.goal_ticks().has_value(); }};
 }
 
 std::vector<Move> over_you_go(int player) {
-  const std::vector<Move> way_to_flag = {left_of(player, 15.6), for_ticks(left | jump, 50), left_of(player, 7.6),
-                                         for_ticks(left | jump, 50), to_flag(player, 2.3)};
+  const std::vector<Move> way_to_flag = {left_of(player, 15.6), for_ticks(left | hop, 50), left_of(player, 7.6),
+                                         for_ticks(left | hop, 50), to_flag(player, 2.3)};
   std::vector<Move> moves = {until(0, [](const Simulation& s) { return y(s, 0) > 10.5; }), left_of(0, 19.5)};
   if (player == 1) {
     moves = {left_of(1, 23.0), until(left, [](const Simulation& s) { return y(s, 0) > 9.0; }), halt(1),
@@ -73,8 +71,8 @@ std::vector<Move> pull_me_up(int player) {
   if (player == 1) {
     return {left_of(1, 9.6), until(left, is_up), to_flag(1, 2.6)};
   }
-  return {left_of(0, 16.0), for_ticks(left | jump, 60),
-          left_of(0, 9.0),  until(left | jump, [](const Simulation& s) { return x(s, 0) < 6.6; }),
+  return {left_of(0, 16.0), for_ticks(left | hop, 60),
+          left_of(0, 9.0),  until(left | hop, [](const Simulation& s) { return x(s, 0) < 6.6; }),
           halt(0),          until(reel_in, is_up),
           to_flag(0, 2.6)};
 }
@@ -88,7 +86,7 @@ Move stay_left_of(int player, double place, std::function<bool(const Simulation&
 std::vector<Move> swing_me_across(int player) {
   if (player == 1) {
     return {until(0, [](const Simulation& s) { return x(s, 0) < 28.0; }),
-            for_ticks(left | jump, 50),
+            for_ticks(left | hop, 50),
             stay_left_of(1, 7.9, [](const Simulation& s) { return x(s, 0) < 15.0 && y(s, 0) > 7.5; }),
             until(right, [](const Simulation& s) { return x(s, 1) > 12.2 || s.player(0).is_on_ground(); }),
             halt(1),
@@ -119,9 +117,9 @@ std::vector<Move> the_light_one_first(int player) {
           halt(0),
           for_ticks(grab, 20),
           until(grab | game::button_up, [](const Simulation& s) { return y(s, 0) > 10.2; }),
-          for_ticks(left | jump, 1),
+          for_ticks(left | hop, 1),
           left_of(0, 8.6),
-          until(left | jump, [](const Simulation& s) { return x(s, 0) < 6.6; }),
+          until(left | hop, [](const Simulation& s) { return x(s, 0) < 6.6; }),
           halt(0),
           until(reel_in, is_up),
           to_flag(0, 2.9)};

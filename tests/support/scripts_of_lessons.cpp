@@ -7,8 +7,6 @@
 namespace test_support {
 namespace {
 
-constexpr int right = game::button_right;
-
 std::vector<Move> first_steps() {
   return {run_past(8.0),
           jump(right),

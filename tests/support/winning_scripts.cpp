@@ -11,9 +11,6 @@ namespace {
 
 using ribbon::Vec2;
 
-constexpr int left = game::button_left;
-constexpr int right = game::button_right;
-
 std::vector<Move> first_swing() {
   Move move{[autopilot = Autopilot()](const game::Simulation& s) mutable { return autopilot.buttons(s); },
             [](const game::Simulation& s, int) { return s.goal_ticks().has_value(); }};

@@ -1,7 +1,6 @@
 #include "tests/tradeoff/contact_run.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 #include "tests/support/contact_figures.h"
@@ -15,7 +14,6 @@ using test_support::CoupledWorld;
 namespace {
 
 constexpr double max_coordinate = 1e4;  // m
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Accuracy preset(const std::string& name) {
   if (name == "fast") return Accuracy::fast();
@@ -127,15 +125,15 @@ std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& 
   const bool ropes = world.def(0).rows == 1;
   const bool self_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.self_contact; });
   const bool cord_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.cord_contact; });
-  return {world.method().thesis || chain ? none : target_us.value_or(none),
-          ropes ? 100.0 * figures.max_stretch : none,
+  return {world.method().thesis || chain ? no_figure : target_us.value_or(no_figure),
+          ropes ? 100.0 * figures.max_stretch : no_figure,
           100.0 * figures.energy_gain,
-          chain ? none : figures.corrected,
-          chain ? none : figures.unconverged,
+          chain ? no_figure : figures.corrected,
+          chain ? no_figure : figures.unconverged,
           figures.penetration,
-          self_contact ? figures.self_crossings : none,
-          cord_contact ? figures.mutual_crossings : none,
-          ropes ? none : figures.inverted,
+          self_contact ? figures.self_crossings : no_figure,
+          cord_contact ? figures.mutual_crossings : no_figure,
+          ropes ? no_figure : figures.inverted,
           static_cast<double>(figures.blew_up)};
 }
 

@@ -38,7 +38,7 @@ std::vector<double> figures(CoupledWorld& world) {
   return all;
 }
 
-std::vector<Variant> variants() {
+std::vector<Variant> bridge_variants() {
   const auto stiff_and_soft = together(thesis_cords({8, 32}, 0.45), thesis_cords({8}, 0.9));
   std::vector<Variant> list;
   for (const double ratio : {0.01, 0.1, 1.0, 10.0, 100.0}) {
@@ -61,7 +61,7 @@ Scene bridge_scene() {
   return {"bridge",
           "a ball of 0.01 to 100 times a cord's mass that rests on it: drift and jitter in ten seconds",
           120,
-          variants,
+          bridge_variants,
           contact_columns({"drift_m", "jitter_m", "tunnelled"}),
           {},
           {"tunnelled is 1 if the ball is below the cord at the end.", thesis_strip, no_b2_rope},

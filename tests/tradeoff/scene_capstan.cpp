@@ -66,7 +66,7 @@ std::vector<double> figures(CoupledWorld& world, const NamedMethod& method, doub
   return all;
 }
 
-std::vector<Variant> variants() {
+std::vector<Variant> capstan_variants() {
   std::vector<Variant> list;
   for (const int half_turns : {1, 2}) {
     const double angle = half_turns * pi;
@@ -88,7 +88,7 @@ Scene capstan_scene() {
   return {"capstan",
           "a cord dragged around a static circle, friction 0.3: the ratio of its pulls against e^(mu*angle)",
           120,
-          variants,
+          capstan_variants,
           contact_columns({"slip_ratio", "exact_ratio", "ratio_error_pct", "creep_50pct_m", "creep_95pct_m"}),
           {},
           {"creep_95pct_m is how far the cord slips in eight seconds with its ends pulled at a ratio that 95 % of the "

@@ -7,7 +7,7 @@ namespace {
 
 using test_support::CoupledWorld;
 
-constexpr double friction = 0.3;
+constexpr double coil_friction = 0.3;
 constexpr double pull = 20.0;  // N
 
 /// Numbers of ticks.
@@ -23,7 +23,7 @@ void add(std::vector<Variant>& list, const NamedMethod& method, int rows, Length
   list.push_back(variant({method,
                           name + " wound",
                           [rows](CoupledWorld& world) {
-                            test_support::wind_coil(world, rows, friction);
+                            test_support::wind_coil(world, rows, coil_friction);
                             test_support::pull_coil(world, pull);
                           },
                           false,
@@ -31,7 +31,7 @@ void add(std::vector<Variant>& list, const NamedMethod& method, int rows, Length
                           figures}));
   list.push_back(variant({method,
                           name + " pile",
-                          [rows](CoupledWorld& world) { test_support::stand_in_bucket(world, rows, friction); },
+                          [rows](CoupledWorld& world) { test_support::stand_in_bucket(world, rows, coil_friction); },
                           false,
                           {0.0, -9.81},
                           figures}));

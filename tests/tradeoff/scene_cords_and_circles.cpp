@@ -7,18 +7,19 @@ namespace {
 
 using test_support::CoupledWorld;
 
-constexpr int ticks = 300;
+constexpr int circle_ticks = 300;
 constexpr double target_us = 8000.0;  // µs
 
-std::vector<Variant> variants() {
+std::vector<Variant> cords_and_circles_variants() {
   std::vector<Variant> list;
   for (const NamedMethod& method : together(presets({"fast", "balanced"}), chains({1, 4}))) {
-    list.push_back(variant({method,
-                            "",
-                            [](CoupledWorld& world) { test_support::hang_hall(world); },
-                            false,
-                            {0.0, -9.81},
-                            [](CoupledWorld& world) { return figures_of(world, run(world, ticks), target_us); }}));
+    list.push_back(
+        variant({method,
+                 "",
+                 [](CoupledWorld& world) { test_support::hang_hall(world); },
+                 false,
+                 {0.0, -9.81},
+                 [](CoupledWorld& world) { return figures_of(world, run(world, circle_ticks), target_us); }}));
   }
   return list;
 }
@@ -26,8 +27,8 @@ std::vector<Variant> variants() {
 }  // namespace
 
 Scene cords_and_circles_scene() {
-  return {"cords_and_circles", "100 cords of 50 points, and 200 balls that fall and roll among them", ticks, variants,
-          contact_columns()};
+  return {"cords_and_circles", "100 cords of 50 points, and 200 balls that fall and roll among them", circle_ticks,
+          cords_and_circles_variants, contact_columns()};
 }
 
 }  // namespace tradeoff

@@ -9,7 +9,7 @@ namespace {
 
 using test_support::CoupledWorld;
 
-constexpr int ticks = 120;
+constexpr int drape_ticks = 120;
 constexpr double falling_target = 200.0;  // µs
 constexpr double resting_target = 60.0;
 
@@ -28,14 +28,14 @@ double fastest(const CoupledWorld& world) {
 }
 
 std::vector<double> with_speed(CoupledWorld& world, double target_us) {
-  std::vector<double> figures = figures_of(world, run(world, ticks), target_us);
+  std::vector<double> figures = figures_of(world, run(world, drape_ticks), target_us);
   figures.push_back(fastest(world));
   return figures;
 }
 
 /// The first two seconds; two more after eight, when only the ends still swing; and two after it has settled. The timed
 /// ticks follow these.
-std::vector<Variant> variants() {
+std::vector<Variant> drape_variants() {
   std::vector<Variant> list;
   for (const double friction : {0.0, 0.5}) {
     std::vector<NamedMethod> methods = together(presets({"fast", "balanced", "accurate"}), chains({1, 4, 16}));
@@ -66,8 +66,8 @@ std::vector<Variant> variants() {
 Scene drape_scene() {
   return {"drape",
           "a cord of 50 points that falls over 20 static circles, and rests on them",
-          ticks,
-          variants,
+          drape_ticks,
+          drape_variants,
           contact_columns({"speed_m_s"}),
           {},
           {std::string(thesis_strip) + " It is included where there is no friction.", no_b2_rope}};

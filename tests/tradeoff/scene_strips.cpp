@@ -1,4 +1,3 @@
-#include <limits>
 
 #include "tests/support/contact_scenes.h"
 #include "tests/tradeoff/contact_run.h"
@@ -8,8 +7,6 @@ namespace tradeoff {
 namespace {
 
 using test_support::CoupledWorld;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Size {
   int strips;
@@ -55,7 +52,7 @@ Scene strips_scene() { return strips("strips", "150 strips, five seconds.", {150
 
 Scene short_strips_scene() {
   return strips("strips_short", "30 strips, two seconds; `tradeoff --scene strips` has 150 for five.", {30, 120, 120},
-                none);
+                no_figure);
 }
 
 }  // namespace tradeoff

@@ -20,7 +20,7 @@ using test_support::earth_gravity;
 using test_support::frame_dt;
 using test_support::ThesisCondition;
 
-constexpr int ticks = 120;
+constexpr int trade_ticks = 120;
 constexpr int converged_substeps = 1024;
 
 using Path = std::vector<std::vector<Vec2>>;  // by tick and point
@@ -54,7 +54,7 @@ CordDef cord_swing(const ThesisCondition& condition, const Accuracy& accuracy) {
 template <typename Method>
 Path path_of(Method& method) {
   Path path;
-  for (int k = 0; k < ticks; ++k) {
+  for (int k = 0; k < trade_ticks; ++k) {
     method.step(frame_dt, earth_gravity);
     path.emplace_back(method.positions().begin(), method.positions().end());
   }
@@ -129,7 +129,7 @@ void add_cord(std::vector<Variant>& list, const ThesisCondition& condition) {
 }
 
 /// D is C with another number of iterations.
-std::vector<Variant> variants() {
+std::vector<Variant> thesis_trade_variants() {
   std::vector<Variant> list;
   for (const ThesisCondition& condition : std::span(test_support::thesis_conditions).first(3)) {
     add_thesis(list, condition);
@@ -144,8 +144,8 @@ Scene thesis_trade_scene() {
   return {"thesis_trade",
           "the thesis's conditions A to C (D is C) let go from the horizontal, 1 to 64 iterations, and cords as heavy "
           "and stiff; each against its own converged motion",
-          ticks,
-          variants,
+          trade_ticks,
+          thesis_trade_variants,
           {us_per_tick(), p99_us(), frames_per_second(), figure("rms_error_m", 0)}};
 }
 

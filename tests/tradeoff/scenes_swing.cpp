@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "tests/support/constants.h"
@@ -19,8 +18,7 @@ using ribbon::Accuracy;
 using ribbon::Integrator;
 using ribbon::Vec2;
 using test_support::Box2dChain;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr int points = test_support::heavy::links + 1;
+constexpr int swing_points = test_support::heavy::links + 1;
 
 const std::vector<Vec2>& exact_load() {
   static const std::vector<Vec2> path = test_support::exact_heavy_load();
@@ -41,14 +39,15 @@ const std::vector<Vec2>& converged_load(double stiffness) {
 /// precision), so the error relative to the own converged motion is given only for our elastic cords.
 std::vector<double> figures_of(Swing& swing, double own_stiffness) {
   const SwingFigures run_figures = run(swing);
-  const double own =
-      std::isnan(own_stiffness) ? none : test_support::rms_distance(run_figures.load, converged_load(own_stiffness));
+  const double own = std::isnan(own_stiffness)
+                         ? no_figure
+                         : test_support::rms_distance(run_figures.load, converged_load(own_stiffness));
   return {test_support::rms_distance(run_figures.load, exact_load()), 100.0 * run_figures.max_stretch,
-          100.0 * run_figures.energy_drift, run_figures.unconverged ? *run_figures.unconverged : none, own};
+          100.0 * run_figures.energy_drift, run_figures.unconverged ? *run_figures.unconverged : no_figure, own};
 }
 
-Variant variant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = points,
-                double own_stiffness = none) {
+Variant variant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = swing_points,
+                double own_stiffness = no_figure) {
   std::function<std::int64_t()> work;
   if (swing->work()) work = [swing] { return *swing->work(); };
   return {method,
@@ -69,8 +68,8 @@ std::string setting_of(double stiffness, const Accuracy& accuracy) {
 }
 
 Variant cord(const std::string& name, double stiffness, const Accuracy& accuracy) {
-  return variant("cord", name.empty() ? setting_of(stiffness, accuracy) : name, cord_swing(stiffness, accuracy), points,
-                 stiffness);
+  return variant("cord", name.empty() ? setting_of(stiffness, accuracy) : name, cord_swing(stiffness, accuracy),
+                 swing_points, stiffness);
 }
 
 void add_presets(std::vector<Variant>& list) {
@@ -159,7 +158,7 @@ void add_ropes(std::vector<Variant>& list) {
 
 void add_thesis(std::vector<Variant>& list) {
   for (const int substeps : {8, 32, 128}) {
-    list.push_back(variant("thesis", "substeps=" + std::to_string(substeps), thesis_swing(substeps), 2 * points));
+    list.push_back(variant("thesis", "substeps=" + std::to_string(substeps), thesis_swing(substeps), 2 * swing_points));
   }
 }
 
@@ -184,7 +183,7 @@ std::vector<Variant> held_swings() {
     list.push_back(variant("held", name, held_swing(accuracy)));
   }
   list.push_back({"b2world_step", "one body", 1, [alone] { alone->reset(); }, [alone] { alone->tick(); },
-                  [] { return std::vector<double>(4, none); }});
+                  [] { return std::vector<double>(4, no_figure); }});
   add_chains(list);
   add_thesis(list);
   return list;

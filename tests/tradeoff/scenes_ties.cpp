@@ -10,14 +10,14 @@
 namespace tradeoff {
 namespace {
 
-constexpr int settling_ticks = 120;
+constexpr int net_settling_ticks = 120;
 constexpr int caught_ticks = 120;    // in which the ball falls into the net and lies there
 constexpr double ball_mass = 100.0;  // kg
 
 /// The figures of a run: the largest strain of a link, and substeps without convergence.
 std::vector<double> figures_of(const ribbon::Accuracy& accuracy, bool catches) {
   test_support::Net net(accuracy);
-  for (int k = 0; k < settling_ticks; ++k) net.tick();
+  for (int k = 0; k < net_settling_ticks; ++k) net.tick();
   if (catches) net.drop_ball(ball_mass);
   double strain = 0.0;
   int unconverged = 0;
@@ -33,7 +33,7 @@ Variant net(const std::string& setting, const ribbon::Accuracy& accuracy, bool c
   const auto scene = std::make_shared<std::unique_ptr<test_support::Net>>();
   const auto renew = [=] {
     *scene = std::make_unique<test_support::Net>(accuracy);
-    for (int k = 0; k < settling_ticks; ++k) (*scene)->tick();
+    for (int k = 0; k < net_settling_ticks; ++k) (*scene)->tick();
     if (catches) (*scene)->drop_ball(ball_mass);
   };
   return {"coupling",

@@ -11,14 +11,14 @@
 namespace tradeoff {
 namespace {
 
-constexpr int settling_ticks = 3600;
+constexpr int line_settling_ticks = 3600;
 constexpr int timed_ticks = 300;
 
 /// The figures: the angle of the line, its error, that of a fall, and substeps without convergence.
 std::vector<double> figures_of(const ribbon::Accuracy& accuracy, double speed) {
   test_support::TowedLine line(accuracy, speed);
   int unconverged = 0;
-  for (int k = 0; k < settling_ticks; ++k) unconverged += line.step().unconverged;
+  for (int k = 0; k < line_settling_ticks; ++k) unconverged += line.step().unconverged;
   return {line.degrees(), 100.0 * line.error(), 100.0 * test_support::error_of_a_fall(accuracy),
           static_cast<double>(unconverged)};
 }

@@ -105,6 +105,14 @@ TEST(Race, AGivenRecordingReplacesTheBestRun) {
   EXPECT_NE(session.notice.text().find("no ghost"), std::string::npos);
 }
 
+TEST(Race, TheResultsNameThoseThatWereEntered) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(splits_in_words({}, {}), Lines());
+  EXPECT_EQ(splits_in_words({std::nullopt}, {60}), Lines());
+  EXPECT_EQ(splits_in_words({60, std::nullopt, 180, 240}, {120, 130, std::nullopt}),
+            (Lines{"Checkpoint 1: 1.00 s (−1.00 s)   3: 3.00 s", "Checkpoint 4: 4.00 s"}));
+}
+
 TEST(GhostProgram, RacesAgainstARecordingOfTheSameLevelOnly) {
   const std::string dummy = "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy";
   const Ended alone = ropeswing("--headless --ticks 60");
@@ -118,14 +126,6 @@ TEST(GhostProgram, RacesAgainstARecordingOfTheSameLevelOnly) {
   EXPECT_EQ(ropeswing("--ghost /nowhere.replay", dummy).status, 2);
   EXPECT_EQ(ropeswing("--headless --ticks 5 --ghost " + golden()).status, 2);
   EXPECT_EQ(ropeswing("--replay " + golden() + " --ghost " + golden(), dummy).status, 2);
-}
-
-TEST(Race, TheResultsNameThoseThatWereEntered) {
-  using Lines = std::vector<std::string>;
-  EXPECT_EQ(splits_in_words({}, {}), Lines());
-  EXPECT_EQ(splits_in_words({std::nullopt}, {60}), Lines());
-  EXPECT_EQ(splits_in_words({60, std::nullopt, 180, 240}, {120, 130, std::nullopt}),
-            (Lines{"Checkpoint 1: 1.00 s (−1.00 s)   3: 3.00 s", "Checkpoint 4: 4.00 s"}));
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <numeric>
 #include <random>
 #include <vector>
+
+#include "tests/support/dense.h"
 
 namespace ribbon {
 namespace {
@@ -77,7 +79,7 @@ void expect_as_eigen(MatrixPair pair, int n, int held, std::mt19937& random) {
   Eigen::VectorXd right(row(n));
   for (int k = 0; k < n; ++k)
     right.segment<2>(row(k)) << b[static_cast<std::size_t>(k)].x, b[static_cast<std::size_t>(k)].y;
-  const Eigen::VectorXd expected = pair.dense.partialPivLu().solve(right);
+  const Eigen::VectorXd expected = test_support::solve_dense(pair.dense, right);
   ASSERT_TRUE(pair.sparse.solve(b));
   for (int k = 0; k < n; ++k) {
     EXPECT_NEAR(b[static_cast<std::size_t>(k)].x, expected(row(k)), 1e-12);
@@ -177,7 +179,7 @@ void expect_to_take_a_band(const std::vector<int>& order) {
       b.segment<2>(row(slot)) << x[static_cast<std::size_t>(slot)].x, x[static_cast<std::size_t>(slot)].y;
     }
     ASSERT_TRUE(sparse.solve(x));
-    const Eigen::VectorXd expected = dense.partialPivLu().solve(b);
+    const Eigen::VectorXd expected = test_support::solve_dense(dense, b);
     for (int slot = 0; slot < 7; ++slot) {
       EXPECT_NEAR(x[static_cast<std::size_t>(slot)].x, expected(row(slot)), 1e-13) << "reach " << reach;
       EXPECT_NEAR(x[static_cast<std::size_t>(slot)].y, expected(row(slot) + 1), 1e-13) << "reach " << reach;

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <vector>
 
 #include "ribbon/thesis/contact.h"
 #include "ribbon/thesis/corrections.h"
 #include "ribbon/thesis/mesh.h"
+#include "tests/support/dense.h"
 #include "tests/support/thesis_scenes.h"
 
 namespace ribbon {
@@ -18,6 +19,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using test_support::earth_gravity;
+using test_support::eigenvalues;
 using test_support::frame_dt;
 using test_support::thesis_conditions;
 
@@ -58,7 +60,7 @@ struct Pinned {
   VectorXd moved(const VectorXd& u, double k, double sign) const {
     VectorXd f2 = sign * global_matrix(mesh.connections, x, k) * u;
     f2.head(constrained).setZero();
-    return m2(k).partialPivLu().solve(f2);
+    return test_support::solve_dense(m2(k), f2);
   }
 };
 
@@ -118,7 +120,7 @@ TEST(Misprint3UnitDiagonal, SpoilsTheConditioning) {
   const Pinned cord;
   const double k = 1e6;
   const auto condition = [](const MatrixXd& m) {
-    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(m).eigenvalues();
+    const VectorXd values = eigenvalues(m);
     return values.maxCoeff() / values.minCoeff();
   };
   MatrixXd own_diagonal = cord.m2(k);
@@ -129,7 +131,7 @@ TEST(Misprint3UnitDiagonal, SpoilsTheConditioning) {
 }
 
 TEST(Misprint4Singular, AStraightSingleRowAndTooFewPinsHaveNoInverse) {
-  const auto smallest = [](const MatrixXd& m) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(m).eigenvalues()(0); };
+  const auto smallest = [](const MatrixXd& m) { return eigenvalues(m)(0); };
   std::vector<Connection> chain;
   std::vector<Vec2> line;
   for (int p = 0; p < 6; ++p) {
