@@ -23,7 +23,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"ties", build_ties, drive_ties, 120, 0x7b09de532ef6357b},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
     {"listener", build_listener, nullptr, 180, 0x9b8f3c3635d7e4a6},
-    {"pulleys", build_pulleys, drive_pulleys, 120, 0x717ed5c667e562b0},
+    {"pulleys", build_pulleys, drive_pulleys, 120, 0xd1dbf78c03730422},
     {"wind", build_wind, drive_wind, 150, 0xf09d88afaacb4248},
 }};
 

@@ -70,6 +70,7 @@ const Known scenes[] = {
     {"ReboundsOfWhatIsDrivenThrowNothing", wild(Family::ropes_both, 0, Preset::fast), "m/s", speed, 200},
     {"WhatIsDrawnApartIsNotThrown", wild(Family::rope_self, 10, Preset::balanced), "m/s", speed, 200},
     {"WhatRunsThroughAGrooveIsNotThrown", wild(Family::reeved, 3, Preset::fast), "m/s", speed, 200},
+    {"WheelsDriveNothing", gentle(Family::reeved, 63, Preset::fast), "gain of energy", gain, 1e-2},
     {"WhatHasToStopStopsOthers", gentle(Family::heap, 14, Preset::fast), "crossings", crossings, 0},
     {"HeapsKeepTheirEnergyWhileCellsAreTurnedBack", gentle(Family::heap, 29, Preset::fast), "gain of energy", gain,
      5e-4},
