@@ -62,7 +62,14 @@ bool Impacts::touch_kinematic(const ContactScene& scene) const {
   return false;
 }
 
-bool Impacts::touch_driver(const ContactScene& scene, Vec2 frame) const {
+bool Impacts::touch_belt(const ContactScene& scene) const {
+  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+    if (is_hit(k) && scene.pairs[k].tangent_speed != 0.0) return true;
+  }
+  return false;
+}
+
+bool Impacts::touch_moving(const ContactScene& scene, Vec2 frame) const {
   const auto drives = [&](int anchor) {
     if (!scene.anchors.is_kinematic(anchor)) return false;
     const BodyAnchor& body = scene.anchors.body(anchor);
@@ -70,7 +77,7 @@ bool Impacts::touch_driver(const ContactScene& scene, Vec2 frame) const {
   };
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const ContactPair& pair = scene.pairs[k];
-    if (is_hit(k) && (pair.tangent_speed != 0.0 || drives(pair.disc) || drives(pair.a))) return true;
+    if (is_hit(k) && (drives(pair.disc) || drives(pair.a))) return true;
   }
   return false;
 }

@@ -44,9 +44,11 @@ class Impacts {
   bool any() const;
   /// Returns whether any of the pairs contains a kinematic body.
   bool touch_kinematic(const ContactScene& scene) const;
-  /// Returns whether any of the pairs contains a kinematic body or a surface that is not at rest in the inertial frame
-  /// that moves with `frame` [m/s].
-  bool touch_driver(const ContactScene& scene, Vec2 frame) const;
+  /// Returns whether any of the pairs contains a kinematic body that is not at rest in the inertial frame that moves
+  /// with `frame` [m/s].
+  bool touch_moving(const ContactScene& scene, Vec2 frame) const;
+  /// Returns whether any of the pairs contains a surface that moves along itself.
+  bool touch_belt(const ContactScene& scene) const;
 
   /// Finds the pairs that approached faster than 0.1 m/s, by velocities `before` and `after` the substep, by slot. They
   /// become the active contacts at x. Until end_restitution(), load() gives the step in dt [s] after which each pair

@@ -156,8 +156,12 @@ Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   return sum;
 }
 
+bool EnergyGuard::is_moved(const IslandState& state, const Contacts& contacts) {
+  return state.driven || contacts.impacts.touch_moving(contacts.scene, state.frame_velocity);
+}
+
 bool EnergyGuard::is_driven(const IslandState& state, const Contacts& contacts) {
-  return state.driven || contacts.impacts.touch_driver(contacts.scene, state.frame_velocity);
+  return is_moved(state, contacts) || contacts.impacts.touch_belt(contacts.scene);
 }
 
 void EnergyGuard::measure(IslandState& state, Contacts& contacts) {

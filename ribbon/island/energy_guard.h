@@ -26,6 +26,9 @@ class EnergyGuard {
 
   /// Returns the total energy in that frame. Contacts are evaluated at the current positions.
   static Energy total_energy(IslandState& state, Contacts& contacts);
+  /// Returns whether the island has to follow something that moves otherwise than in one frame, or that it touched
+  /// since the substep began.
+  static bool is_moved(const IslandState& state, const Contacts& contacts);
   /// Returns whether something changes the energy by an amount that is not known: what drives the island otherwise than
   /// in one frame or, since the substep began, what it touched.
   static bool is_driven(const IslandState& state, const Contacts& contacts);

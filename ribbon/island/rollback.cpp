@@ -23,9 +23,15 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
 
 bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
   IslandState& state = context.state;
-  // Of a way that drives make, nothing can be taken back.
-  const bool moved = state.frame_velocity != Vec2{};
-  if (moved || EnergyGuard::is_driven(state, context.contacts)) return limit_speeds(state);
+  // Of a way that drives make, nothing can be taken back. Belts make none, but give an energy that is not known.
+  if (state.frame_velocity != Vec2{} || EnergyGuard::is_moved(state, context.contacts)) return limit_speeds(state);
+  if (EnergyGuard::is_driven(state, context.contacts)) {
+    const bool limited = limit_speeds(state);
+    if (!is_stretched(state)) return limited;
+    begin(context);
+    take_stretched_back(context);
+    return true;
+  }
   const bool limited = state.in_medium && limit_speeds(state);
   const auto is_sound = [&] { return !context.gained_energy(before, max_gain) && !is_stretched(state); };
   if (is_sound()) return limited;

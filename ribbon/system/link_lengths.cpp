@@ -8,8 +8,9 @@
 namespace ribbon {
 namespace {
 
-constexpr int max_iterations = 3;   // more give cords of heaps more energy
-constexpr double softening = 1e-6;  // of the diagonal: a taut cord between two fixed points has no solution
+constexpr int usual_iterations = 3;  // more give cords of heaps more energy
+constexpr int max_iterations = 10;   // of what counts as stretched
+constexpr double softening = 1e-6;   // of the diagonal: a taut cord between two fixed points has no solution
 
 }  // namespace
 
@@ -39,7 +40,10 @@ void LinkLengths::restore(IslandState& state, const Member& member) {
   const auto positions = IslandState::points_of(member, state.positions);
   before_.assign(positions.begin(), positions.end());
   double restored = strain;
-  for (int k = 0; k < max_iterations && restored > restored_strain; ++k) {
+  const auto goes_on = [&restored](int done) {
+    return done < usual_iterations ? restored > restored_strain : done < max_iterations && restored > max_strain;
+  };
+  for (int k = 0; goes_on(k); ++k) {
     load(state, member);
     if (!solve()) break;
     move(state, member);

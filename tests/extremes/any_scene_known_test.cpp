@@ -51,6 +51,8 @@ const Known scenes[] = {
     {"TiesThatCannotCloseDoNotStretch", gentle(Family::tied, 38, Preset::accurate), "stretch", stretch, 1e-2},
     {"TiesThatCloseAreHeldBackByAllTheyConnect", gentle(Family::tied, 130, Preset::balanced), "stretch", stretch, 1e-2},
     {"ShortPiecesDoNotHideWhatIsStretched", gentle(Family::tied, 82, Preset::balanced), "stretch", stretch, 2e-2},
+    {"BeltsDoNotStretch", gentle(Family::belts, 41, Preset::accurate), "stretch", stretch, 1e-2},
+    {"LengthsAreRestoredAsLongAsTheyAreWrong", gentle(Family::cut, 85, Preset::balanced), "stretch", stretch, 1e-2},
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
     {"WhatSlipsPastABendIsNotThrown", gentle(Family::grips_slip, 67, Preset::balanced), "gain of energy", gain, 1e-2},
