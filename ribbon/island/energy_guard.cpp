@@ -52,8 +52,9 @@ double max_drag_work(const IslandState& state) {
   return work;
 }
 
-/// Returns whether a point is on a wheel, which moves it. What the wheel's motor does is known.
-bool is_on_wheel(const IslandState& state, std::size_t point) {
+/// Returns whether a point is constrained because it is on a wheel. The wheel moves it, and what its motor does is
+/// known.
+bool is_moved_by_wheel(const IslandState& state, std::size_t point) {
   return std::any_of(state.wheels.begin(), state.wheels.end(),
                      [point](const Wheel& wheel) { return wheel.before < point && point < wheel.after; });
 }
@@ -83,7 +84,7 @@ void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
     state.driven = state.driven || !is_at_rest(velocity, state.frame_velocity);
   };
   for (std::size_t p = 0; p < state.points; ++p) {
-    if (state.constrained[p] != 0 && !is_on_wheel(state, p)) add(state.drive_velocities[p]);
+    if (state.constrained[p] != 0 && !is_moved_by_wheel(state, p)) add(state.drive_velocities[p]);
   }
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     if (state.constrained[state.center(k)] == 0) continue;

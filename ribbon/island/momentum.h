@@ -16,8 +16,8 @@ void restore_momentum(IslandState& state, const Contacts& contacts);
 /// Reduces the speed of all that is faster than anything was at the start of the substep and can have fallen since.
 /// Returns whether something was.
 bool limit_speeds(IslandState& state);
-/// Returns whether what is driven has stretched an inextensible cord further and threw a part of it: one that is faster
-/// than limit_speeds would leave it.
+/// Returns whether a drive has stretched an inextensible cord further and thrown a part of it, which is now faster than
+/// limit_speeds would leave it.
 bool is_thrown(const IslandState& state);
 
 }  // namespace ribbon

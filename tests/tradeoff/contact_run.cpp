@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <memory>
 
+#include "tests/study/figures.h"
 #include "tests/support/contact_figures.h"
 
 namespace tradeoff {
 
 using ribbon::Accuracy;
+using study::unavailable;
 using test_support::CordMethod;
 using test_support::CoupledWorld;
 
@@ -125,15 +127,15 @@ std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& 
   const bool ropes = world.def(0).rows == 1;
   const bool self_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.self_contact; });
   const bool cord_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.cord_contact; });
-  return {world.method().thesis || chain ? no_figure : target_us.value_or(no_figure),
-          ropes ? 100.0 * figures.max_stretch : no_figure,
+  return {world.method().thesis || chain ? unavailable : target_us.value_or(unavailable),
+          ropes ? 100.0 * figures.max_stretch : unavailable,
           100.0 * figures.energy_gain,
-          chain ? no_figure : figures.corrected,
-          chain ? no_figure : figures.unconverged,
+          chain ? unavailable : figures.corrected,
+          chain ? unavailable : figures.unconverged,
           figures.penetration,
-          self_contact ? figures.self_crossings : no_figure,
-          cord_contact ? figures.mutual_crossings : no_figure,
-          ropes ? no_figure : figures.inverted,
+          self_contact ? figures.self_crossings : unavailable,
+          cord_contact ? figures.mutual_crossings : unavailable,
+          ropes ? unavailable : figures.inverted,
           static_cast<double>(figures.blew_up)};
 }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "ribbon/box2d/convert.h"
+
+#include "tests/study/figures.h"
 #include "tests/support/constants.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/contact_scenes.h"
@@ -13,6 +15,7 @@ namespace {
 
 using constants::infinity;
 using ribbon::Vec2;
+using study::unavailable;
 using test_support::CoupledWorld;
 constexpr double cord_length = 3.0;  // m, as in hang_load
 
@@ -39,8 +42,8 @@ std::vector<double> figures(CoupledWorld& world, double ratio, double stiffness)
           jitter,
           100.0 * (pull / ((ratio + link_share) * 9.81) - 1.0),
           100.0 * run_figures.energy_gain,
-          chain ? no_figure : run_figures.corrected,
-          chain ? no_figure : run_figures.unconverged,
+          chain ? unavailable : run_figures.corrected,
+          chain ? unavailable : run_figures.unconverged,
           cord_length * std::abs(run_figures.max_stretch - elastic)};
 }
 

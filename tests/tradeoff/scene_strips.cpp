@@ -1,4 +1,6 @@
 
+
+#include "tests/study/figures.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/tradeoff/contact_run.h"
 #include "tests/tradeoff/scenes_contact.h"
@@ -6,6 +8,7 @@
 namespace tradeoff {
 namespace {
 
+using study::unavailable;
 using test_support::CoupledWorld;
 
 struct Size {
@@ -52,7 +55,7 @@ Scene strips_scene() { return strips("strips", "150 strips, five seconds.", {150
 
 Scene short_strips_scene() {
   return strips("strips_short", "30 strips, two seconds; `tradeoff --scene strips` has 150 for five.", {30, 120, 120},
-                no_figure);
+                unavailable);
 }
 
 }  // namespace tradeoff

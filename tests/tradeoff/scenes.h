@@ -2,16 +2,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "tests/tradeoff/measure.h"
 
 namespace tradeoff {
-
-/// A figure that a variant does not have.
-inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
 /// A method and setting that runs a scene.
 struct Variant {

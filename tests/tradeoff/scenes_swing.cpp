@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "tests/study/figures.h"
 #include "tests/support/constants.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
@@ -17,6 +18,7 @@ using constants::infinity;
 using ribbon::Accuracy;
 using ribbon::Integrator;
 using ribbon::Vec2;
+using study::unavailable;
 using test_support::Box2dChain;
 constexpr int swing_points = test_support::heavy::links + 1;
 
@@ -40,14 +42,14 @@ const std::vector<Vec2>& converged_load(double stiffness) {
 std::vector<double> figures_of(Swing& swing, double own_stiffness) {
   const SwingFigures run_figures = run(swing);
   const double own = std::isnan(own_stiffness)
-                         ? no_figure
+                         ? unavailable
                          : test_support::rms_distance(run_figures.load, converged_load(own_stiffness));
   return {test_support::rms_distance(run_figures.load, exact_load()), 100.0 * run_figures.max_stretch,
-          100.0 * run_figures.energy_drift, run_figures.unconverged ? *run_figures.unconverged : no_figure, own};
+          100.0 * run_figures.energy_drift, run_figures.unconverged ? *run_figures.unconverged : unavailable, own};
 }
 
 Variant variant(const char* method, std::string setting, std::shared_ptr<Swing> swing, int point_count = swing_points,
-                double own_stiffness = no_figure) {
+                double own_stiffness = unavailable) {
   std::function<std::int64_t()> work;
   if (swing->work()) work = [swing] { return *swing->work(); };
   return {method,
@@ -183,7 +185,7 @@ std::vector<Variant> held_swings() {
     list.push_back(variant("held", name, held_swing(accuracy)));
   }
   list.push_back({"b2world_step", "one body", 1, [alone] { alone->reset(); }, [alone] { alone->tick(); },
-                  [] { return std::vector<double>(4, no_figure); }});
+                  [] { return std::vector<double>(4, unavailable); }});
   add_chains(list);
   add_thesis(list);
   return list;
