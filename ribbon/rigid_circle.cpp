@@ -13,6 +13,7 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr double max_component = 1e10;     // m, m/s, rad/s
 constexpr double max_time = 1e12;          // s
 constexpr double max_acceleration = 1e20;  // m/s²
+constexpr double max_normal_error = 1e-3;  // of the length of a unit vector
 
 /// An entry of a list that is checked. Its name is built only for an error message.
 class Entry {
@@ -63,6 +64,16 @@ void check_grip(const Entry& entry, const Grip& grip) {
   entry.check("strength", grip.strength, 0.0, std::numeric_limits<double>::infinity());
 }
 
+void check_support(const Entry& entry, const Support& support) {
+  entry.check("arm", support.arm);
+  entry.check("normal", support.normal, 1.0);
+  if (const double size = length(support.normal); std::abs(size - 1.0) > max_normal_error) {
+    entry.check("the length of normal", size, 1.0 - max_normal_error, 1.0 + max_normal_error);
+  }
+  entry.check("gap", support.gap, 0.0, max_component);
+  entry.check("speed", support.speed, -max_component, max_component);
+}
+
 }  // namespace
 
 void check_bodies(std::span<const RigidBody> bodies) {
@@ -100,6 +111,11 @@ void check_surroundings(const Surroundings& surroundings, std::size_t bodies, in
     const Entry entry("axles", k);
     entry.check_index("body", surroundings.axles[k].body, bodies);
     entry.check("offset", surroundings.axles[k].offset);
+  }
+  for (std::size_t k = 0; k < surroundings.supports.size(); ++k) {
+    const Entry entry("supports", k);
+    entry.check_index("body", surroundings.supports[k].body, bodies);
+    check_support(entry, surroundings.supports[k]);
   }
 }
 

@@ -26,6 +26,8 @@ struct RigidBody {
   Vec2 moved;                     ///< m, displacement in the step, of a body that holds a cord; undefined for others
   double turned = 0.0;            ///< rad, rotation in the same step
   bool solved = false;            ///< the direct solver has solved its motion with a cord
+  Vec2 support_force;             ///< N, out: of its supports at the end of the step
+  double support_torque = 0.0;    ///< N·m, out: of these forces about the centre of mass
   // For dynamic bodies near cords that are allowed to sleep:
   bool awake = true;       ///< in: the body is awake
   bool may_sleep = false;  ///< in: the owner puts the body to sleep when a step sets `rests`
@@ -76,6 +78,18 @@ struct Grip {
   Vec2 across{};
 };
 
+/// A place where something that does not give way keeps a body that holds a cord from moving, as the ground does. The
+/// direct solver lets the place move away, and towards the support no further than the gap. Without it, a body that is
+/// lighter than what hangs on its cord would be drawn through the ground in the step. Friction there is for the owner
+/// of the body.
+struct Support {
+  int body = 0;        ///< index into the bodies of the step: the one that is supported
+  Vec2 arm;            ///< m, from its centre of mass to the place, in world directions
+  Vec2 normal;         ///< unit vector from the support to the body
+  double gap = 0.0;    ///< m, 0 or more, by which the place may get nearer to the support
+  double speed = 0.0;  ///< m/s, of the support along the normal
+};
+
 /// The surroundings of a cord in one step.
 struct Surroundings {
   std::span<RigidBody> bodies = {};             ///< bodies that the others refer to; the step adds to their impulses
@@ -86,6 +100,9 @@ struct Surroundings {
   /// What flows around the cord; null for none. It must outlive the step. The thesis's solver refuses it.
   const Medium* medium = nullptr;
   double time = 0.0;  ///< s, for the medium: at the start of the step, within ±1e12
+  /// Of bodies that hold the cord or carry its wheels; the thesis's solver ignores them. If a body of several cords has
+  /// supports, those of the first cord count.
+  std::span<const Support> supports = {};
 };
 
 /// Throws DefinitionError unless all values of the bodies are in range: lengths and velocities within ±1e10,

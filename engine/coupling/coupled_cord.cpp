@@ -15,6 +15,7 @@ namespace {
 // Memory that every cord has from the start.
 constexpr std::size_t usual_fixtures = 64;
 constexpr std::size_t usual_grips = 8;
+constexpr std::size_t usual_supports = 8;
 constexpr std::size_t usual_touches = 16;
 
 CordShape shape_of(const ThesisCord& cord) {
@@ -99,6 +100,7 @@ void CoupledCord::reserve() {
   segments.reserve(usual_fixtures);
   near.reserve(usual_fixtures);
   grips.reserve(usual_grips);
+  supports.reserve(usual_supports);
   grip_ids.reserve(usual_grips);
   touching.reserve(usual_touches);
   touching_before.reserve(usual_touches);
@@ -136,6 +138,7 @@ void CoupledCord::clear_surroundings() {
   grips.clear();
   grip_ids.clear();
   axles.clear();
+  supports.clear();
   tied = false;
 }
 

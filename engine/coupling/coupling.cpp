@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
 #include "ribbon/box2d/step_cords.h"
+#include "ribbon/box2d/supports.h"
 #include "ribbon/cord_sweep.h"
 
 namespace ribbon::box2d {
@@ -43,6 +45,29 @@ b2Fixture* find_if_it_left(std::uint64_t number, FixtureIds& fixtures, b2World& 
   b2Fixture* const fixture = find_fixture(world.GetBodyList(), known->seen_as);
   known->exists = fixture != nullptr;
   return fixture;
+}
+
+/// Gives a cord the supports of the bodies that hold it or carry its wheels.
+void gather_supports_of(CouplingParts& parts, CoupledCord& cord) {
+  const auto gather = [&](int index) {
+    const auto is_gathered = [index](const Support& support) { return support.body == index; };
+    if (std::any_of(cord.supports.begin(), cord.supports.end(), is_gathered)) return;
+    TickBody& entry = parts.bodies.entries[static_cast<std::size_t>(index)];
+    RigidBody& rigid = parts.bodies.rigid[static_cast<std::size_t>(index)];
+    if (rigid.inverse_mass == 0.0) return;
+    const std::size_t first = cord.supports.size();
+    entry.max_push = append_supports(*entry.body, index, cord.supports);
+    if (cord.supports.size() == first) return;
+    parts.carry.leave_to_supports(*entry.body, rigid, std::span(cord.supports).subspan(first), parts.conditions.dt);
+  };
+  for (const Grip& grip : cord.grips) gather(grip.body);
+  for (const Axle& axle : cord.axles) gather(axle.body);
+}
+
+void gather_supports(CouplingParts& parts) {
+  for (CoupledCord& cord : parts.cords.active()) {
+    if (cord.enabled && cord.is_direct()) gather_supports_of(parts, cord);
+  }
 }
 
 /// Wakes sleeping bodies whose contact with a cord is over because the fixture has moved away, as Box2D does where one
@@ -219,6 +244,7 @@ void Coupling::gather(b2World& world, double dt) {
     return index;
   });
   parts.pulleys.gather(parts.cords, index_of);
+  gather_supports(parts);
   parts.ties.gather(parts.cords);
   const auto is_gathered = [&parts](const SeenBody& seen) {
     const b2Body* const body = parts.bodies.find(seen.body);
@@ -267,7 +293,7 @@ void Coupling::apply() {
     if (rigid.rests) {
       parts.carry.put_to_sleep(*entry.body, parts.conditions.dt);
     } else if (rigid.solved || (entry.holds && parts.grips.first_of(*entry.body) != nullptr)) {
-      parts.carry.drive(*entry.body, rigid, parts.conditions);
+      parts.carry.drive(*entry.body, rigid, entry.max_push, parts.conditions);
     } else {
       parts.carry.release(*entry.body);
       if (entry.thesis_cord >= 0) push(entry, rigid, parts.cords);

@@ -73,12 +73,13 @@ void add(Hasher& hasher, const CouplingState::Grip& grip) {
 
 void add(Hasher& hasher, const CouplingState::Carry& carried) {
   const auto& [carry, angular_carry, position, velocity, angular_velocity, start, start_velocity, dt, contact_delta_v,
-               expected_delta_v] = carried.memory;
+               expected_delta_v, support_delta_v] = carried.memory;
   hasher.add(carried.body);
   for (const Vec2 v : {carry, position, velocity, start, start_velocity, contact_delta_v, expected_delta_v}) {
     hasher.add(v);
   }
   for (const double number : {angular_carry, angular_velocity, dt}) hasher.add(number);
+  if (support_delta_v != Vec2{}) hasher.add(support_delta_v);  // the hash of a world without supports is that of 0.2.0
 }
 
 void add(Hasher& hasher, const CouplingState::Fixture& known) {

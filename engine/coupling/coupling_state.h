@@ -85,13 +85,14 @@ struct CarryState {
   Vec2 carry;                     ///< m/s, momentary velocity minus Box2D's
   double angular_carry = 0.0;     ///< rad/s, the same for the angular velocity
   Vec2 position;                  ///< m, computed position of the centre of mass
-  Vec2 velocity;                  ///< m/s, after a world.Step in which nothing pushes it
+  Vec2 velocity;                  ///< m/s, after a world.Step in which its supports alone push it
   double angular_velocity = 0.0;  ///< rad/s, the same for the rotation
   Vec2 start;                     ///< m, position before the world.Step
   Vec2 start_velocity;            ///< m/s, momentary velocity before that step
   double dt = 0.0;                ///< s, duration of that step
   Vec2 contact_delta_v;           ///< m/s, steady part of Box2D's push in the step before the last
   Vec2 expected_delta_v;          ///< m/s, change of velocity that the solver expected in the last step
+  Vec2 support_delta_v;           ///< m/s, by the forces of its supports at the end of that step
 
   bool operator==(const CarryState&) const = default;
 };

@@ -88,7 +88,7 @@ void check_memory(const CarryState& carry) {
   check_vectors("state.carries.carry", {carry.carry}, CarryState::max_carry);
   check_vectors("state.carries",
                 {carry.position, carry.velocity, carry.start, carry.start_velocity, carry.contact_delta_v,
-                 carry.expected_delta_v},
+                 carry.expected_delta_v, carry.support_delta_v},
                 most_single);
   check_range("state.carries.angular_carry", carry.angular_carry, -CarryState::max_carry, CarryState::max_carry);
   check_range("state.carries.angular_velocity", carry.angular_velocity, -most_single, most_single);

@@ -12,8 +12,8 @@ void list_island_cords(CouplingParts& parts) {
   const bool records_pushes = parts.listener != nullptr && parts.listener->wants_impulses();
   visit_fetched(parts.cords.active(), CordMemory::surroundings, [&](CoupledCord& cord) {
     if (!cord.is_direct() || !cord.enabled) return;
-    const Surroundings surroundings{parts.bodies.rigid, cord.circles,          cord.grips, cord.segments, cord.axles,
-                                    conditions.medium,  conditions.medium_time};
+    const Surroundings surroundings{parts.bodies.rigid, cord.circles,           cord.grips,   cord.segments, cord.axles,
+                                    conditions.medium,  conditions.medium_time, cord.supports};
     cord.step_index = static_cast<int>(parts.island_cords.size());
     parts.island_cords.push_back({&cord.direct(), surroundings, solver_id(cord.id), records_pushes});
   });

@@ -3,6 +3,7 @@
 #include <box2d/b2_body.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "ribbon/box2d/address_table.h"
@@ -17,6 +18,8 @@ struct TickBody {
   b2Body* body;             // null once it was forgotten
   CordId thesis_cord = -1;  // the last cord of the thesis's solver that it is near or holds
   bool holds = false;       // it holds a cord
+  /// m/s, with which a tick may press it on its supports; see append_supports.
+  double max_push = std::numeric_limits<double>::infinity();
 };
 
 /// The bodies of a tick: Box2D's and the solver's view of each, at the same index.

@@ -143,9 +143,9 @@ Vec2 steady_contact_delta_v(const b2Body& body, const CarryState& state, Vec2 ve
   return steady_part(body, contact_delta_v(body, state), change);
 }
 
-/// Returns the push [m/s] that came in both of the last two ticks: what supports a standing or leaning body, or a
-/// steady force. Without it the cord would let the body fall in each tick.
-Vec2 expected_delta_v(Vec2 before, Vec2 last) {
+/// Returns the part of a push [m/s] that came in both of the last two ticks: what supports a standing or leaning body,
+/// or a steady force.
+Vec2 lasting_part(Vec2 before, Vec2 last) {
   if (!(dot(before, last) > 0.0)) return {};
   return (std::min(length(before), length(last)) / length(last)) * last;
 }
@@ -171,11 +171,23 @@ void VelocityCarry::complete(const b2Body& body, RigidBody& rigid, double dt) {
   if (found == nullptr) return;
   rigid.velocity += remaining_carry(body, *found);
   found->next_contact_delta_v = steady_contact_delta_v(body, *found, rigid.velocity);
-  found->next_expected_delta_v = expected_delta_v(found->contact_delta_v, found->next_contact_delta_v);
+  // Without it the cord would let the body fall in each tick.
+  found->next_expected_delta_v = lasting_part(found->contact_delta_v, found->next_contact_delta_v);
   found->completed = true;
   rigid.acceleration += bounded((1.0 / dt) * found->next_expected_delta_v, max_acceleration);
   rigid.angular_velocity += remaining_angular_carry(body, *found);
   if (length(rigid.position - found->position) <= single_rounding(rigid.position)) rigid.position = found->position;
+}
+
+void VelocityCarry::leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports,
+                                      double dt) {
+  Entry* const found = entry(body);
+  if (found == nullptr) return;
+  const Vec2 before = found->next_expected_delta_v;
+  Vec2 left = before;
+  for (const Support& support : supports) left -= std::max(0.0, dot(left, support.normal)) * support.normal;
+  found->next_expected_delta_v = left;
+  rigid.acceleration += bounded((1.0 / dt) * left, max_acceleration) - bounded((1.0 / dt) * before, max_acceleration);
 }
 
 void VelocityCarry::begin_step() {
@@ -186,33 +198,42 @@ void VelocityCarry::begin_step() {
   }
 }
 
-/// With a = g·scale, and d the divisor of the damping, Box2D's velocity in the step is (v + a·dt)/d. So v is set to
-/// d·Δx/dt − a·dt, and the carry is c = (v⁺ − (v + a·dt))/d, with the v that single precision has left.
-void VelocityCarry::drive(b2Body& body, const RigidBody& rigid, const StepConditions& conditions) {
+/// With a = g·scale, the divisor d of the damping, and the change s of velocity by the push of supports, Box2D's
+/// velocity in the step is (v + a·dt)/d + s. So v is set to d·(Δx/dt − s) − a·dt, which presses the body on its
+/// supports, and the carry is c = (v⁺ − (v + a·dt))/d − s, with the v that single precision has left. It is only
+/// friction that Box2D needs s for, so a jolt is left out.
+void VelocityCarry::drive(b2Body& body, const RigidBody& rigid, double max_push, const StepConditions& conditions) {
   const double dt = conditions.dt;
   Entry& state = entry_or_new(body);
   const Vec2 fall = dt * rigid.acceleration;
   const double divisor = damping_divisor(body.GetLinearDamping(), dt);
-  const Vec2 wanted = (divisor / dt) * rigid.moved - fall;
+  const Vec2 whole_push = (dt * rigid.inverse_mass) * rigid.support_force;
+  const double lasting = std::min(max_push, length(lasting_part(state.support_delta_v, whole_push)));
+  const double share = lasting > 0.0 ? lasting / length(whole_push) : 0.0;
+  const Vec2 push = share * whole_push;
+  state.support_delta_v = whole_push;
+  const Vec2 wanted = divisor * ((1.0 / dt) * rigid.moved - push) - fall;
   body.ApplyLinearImpulseToCenter(to_float((1.0 / rigid.inverse_mass) * (wanted - to_double(body.GetLinearVelocity()))),
                                   true);
   const Vec2 end = rigid.velocity + fall + rigid.inverse_mass * rigid.impulse;
-  state.carry = bounded((1.0 / divisor) * (end - (to_double(body.GetLinearVelocity()) + fall)), CarryState::max_carry);
+  state.carry =
+      bounded((1.0 / divisor) * (end - (to_double(body.GetLinearVelocity()) + fall)) - push, CarryState::max_carry);
   state.start = to_double(body.GetWorldCenter());
   state.start_velocity = rigid.velocity;
   state.dt = dt;
   state.position = rigid.position + rigid.moved;
   const Vec2 weight = (dt * static_cast<double>(body.GetGravityScale())) * conditions.gravity;
-  state.velocity = (1.0 / divisor) * (to_double(body.GetLinearVelocity()) + weight);
+  state.velocity = (1.0 / divisor) * (to_double(body.GetLinearVelocity()) + weight) + push;
   if (rigid.inverse_inertia == 0.0) return;
   const double turning = static_cast<double>(body.GetAngularVelocity());
   const double angular_divisor = damping_divisor(body.GetAngularDamping(), dt);
-  body.ApplyAngularImpulse(static_cast<float>((angular_divisor * rigid.turned / dt - turning) / rigid.inverse_inertia),
-                           true);
+  const double turn = share * dt * rigid.inverse_inertia * rigid.support_torque;
+  const double wanted_turning = angular_divisor * (rigid.turned / dt - turn);
+  body.ApplyAngularImpulse(static_cast<float>((wanted_turning - turning) / rigid.inverse_inertia), true);
   const double angular_end = rigid.angular_velocity + rigid.inverse_inertia * rigid.angular_impulse;
-  const double carry = (angular_end - static_cast<double>(body.GetAngularVelocity())) / angular_divisor;
+  const double carry = (angular_end - static_cast<double>(body.GetAngularVelocity())) / angular_divisor - turn;
   state.angular_carry = bounded({carry, 0.0}, CarryState::max_carry).x;
-  state.angular_velocity = static_cast<double>(body.GetAngularVelocity()) / angular_divisor;
+  state.angular_velocity = static_cast<double>(body.GetAngularVelocity()) / angular_divisor + turn;
 }
 
 void VelocityCarry::release(b2Body& body) {

@@ -56,10 +56,14 @@ class VelocityCarry {
   /// Completes the solver's view of a body before a step: adds the carry to its velocities, the push that it expects to
   /// its acceleration, and to its position what single precision rounded off. It may be repeated until begin_step.
   void complete(const b2Body& body, RigidBody& rigid, double dt);
+  /// What supports push in the step is no part of the push that a body expects: takes it out of its acceleration. The
+  /// body was completed.
+  void leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports, double dt);
   /// Begins the step of the bodies that were completed: the pushes that were read then are now those of the last tick.
   void begin_step();
-  /// Makes the next world.Step move a body as the solver did, and stores the carry.
-  void drive(b2Body& body, const RigidBody& rigid, const StepConditions& conditions);
+  /// Makes the next world.Step move a body as the solver did, and stores the carry. Its supports push it by `max_push`
+  /// [m/s] at most.
+  void drive(b2Body& body, const RigidBody& rigid, double max_push, const StepConditions& conditions);
   /// Adds the carry to the velocities of a body that the solver no longer moves, and forgets it.
   void release(b2Body& body);
   /// Releases all bodies of which `gathered` returns false. It gets the identity of a body.

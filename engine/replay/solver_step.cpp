@@ -86,6 +86,7 @@ void capture(const ribbon::box2d::SolverInput& input, SolverStep& step) {
     to.segments.assign(from.surroundings.segments.begin(), from.surroundings.segments.end());
     to.grips.assign(from.surroundings.grips.begin(), from.surroundings.grips.end());
     to.axles.assign(from.surroundings.axles.begin(), from.surroundings.axles.end());
+    to.supports.assign(from.surroundings.supports.begin(), from.surroundings.supports.end());
     to.id = from.id;
     to.medium = medium_of(from, step);
     to.time = from.surroundings.time;
@@ -117,8 +118,9 @@ void check(const SolverStep& step) {
       const ribbon::Cord made(cord.def);
       made.check_state(cord.state);
       ribbon::check_range("medium", cord.medium, -1, static_cast<double>(step.media.size()) - 1.0);
-      ribbon::check_surroundings({{}, cord.circles, cord.grips, cord.segments, cord.axles, nullptr, cord.time},
-                                 step.bodies.size(), made.size(), cord.def.rows);
+      ribbon::check_surroundings(
+          {{}, cord.circles, cord.grips, cord.segments, cord.axles, nullptr, cord.time, cord.supports},
+          step.bodies.size(), made.size(), cord.def.rows);
     });
     points.push_back(static_cast<int>(step.cords[k].state.positions.size()));
   }

@@ -33,6 +33,7 @@ struct SolverStep {
     std::vector<ribbon::RigidSegment> segments;
     std::vector<ribbon::Grip> grips;
     std::vector<ribbon::Axle> axles;
+    std::vector<ribbon::Support> supports;
     std::uint64_t id = 0;  ///< IslandCord::id
     int medium = -1;       ///< index into media; −1 for none
     double time = 0.0;     ///< s, see Surroundings::time

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 8;
+inline constexpr int solver_step_version = 9;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -185,7 +185,7 @@ void fields(Archive& archive, T& state) {
 template <typename Archive, Is<ribbon::RigidBody> T>
 void fields(Archive& archive, T& body) {
   auto& [position, velocity, angular_velocity, inverse_mass, inverse_inertia, acceleration, impulse, angular_impulse,
-         moved, turned, solved, awake, may_sleep, rests] = body;
+         moved, turned, solved, support_force, support_torque, awake, may_sleep, rests] = body;
   archive("position", position);
   archive("velocity", velocity);
   archive("angular_velocity", angular_velocity);
@@ -197,6 +197,8 @@ void fields(Archive& archive, T& body) {
   archive("moved", moved);
   archive("turned", turned);
   archive("solved", solved);
+  archive("support_force", support_force);
+  archive("support_torque", support_torque);
   archive("awake", awake);
   archive("may_sleep", may_sleep);
   archive("rests", rests);
@@ -241,9 +243,19 @@ void fields(Archive& archive, T& grip) {
   archive("across", across);
 }
 
+template <typename Archive, Is<ribbon::Support> T>
+void fields(Archive& archive, T& support) {
+  auto& [body, arm, normal, gap, speed] = support;
+  archive("body", body);
+  archive("arm", arm);
+  archive("normal", normal);
+  archive("gap", gap);
+  archive("speed", speed);
+}
+
 template <typename Archive, Is<SolverStep::Cord> T>
 void fields(Archive& archive, T& cord) {
-  auto& [def, state, circles, segments, grips, axles, id, medium, time] = cord;
+  auto& [def, state, circles, segments, grips, axles, supports, id, medium, time] = cord;
   archive("id", id);
   archive("def", def);
   archive("state", state);
@@ -251,6 +263,7 @@ void fields(Archive& archive, T& cord) {
   archive("segments", segments);
   archive("grips", grips);
   archive("axles", axles);
+  archive("supports", supports);
   archive("medium", medium);
   archive("time", time);
 }

@@ -156,6 +156,7 @@ void Simulation::restart() {
   move_ = {};
   players_.clear();
   scene_ = level_->make_scene();
+  scene_->world().Step(0.0F, 0, 0);  // finds the contacts of what stands: they support it from the first tick on
   scene_->coupling().watch(watcher_);
   scene_->coupling().use(parallel_for_);
   players_.make(*level_, *scene_, !make_mover_);

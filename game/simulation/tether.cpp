@@ -48,10 +48,20 @@ void Tether::tie(Player& first, Player& second, ribbon::box2d::Coupling& couplin
 
 void Tether::reel(int direction, ribbon::box2d::Coupling& coupling, double dt) {
   if (direction == 0 || !coupling.cord(cord_).is_valid()) return;
+  if (direction < 0 && pull(coupling) > max_pull) return;  // a partner is stuck at an edge
   const double whole = coupling.cord(cord_).direct().def().length;
   const double speed = direction < 0 ? reel_in_speed : reel_out_speed;
   length_ = std::clamp(length_ + direction * speed * dt, std::min(min_length, whole), whole);
   coupling.cord(cord_).direct().reel(0, coupling.cord(cord_).shape().columns - 1, length_, speed);
+}
+
+/// Returns the larger pull of the cord at a player, N.
+double Tether::pull(const ribbon::box2d::Coupling& coupling) const {
+  double largest = 0.0;
+  for (const ribbon::box2d::GripId id : grips_) {
+    if (coupling.grip(id).is_valid()) largest = std::max(largest, ribbon::length(coupling.grip(id).state().pull));
+  }
+  return largest;
 }
 
 void Tether::lay(Player& first, Player& second, ribbon::box2d::Coupling& coupling) {

@@ -7,6 +7,7 @@
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/supports.h"
 #include "ribbon/system/wheels.h"
 
 namespace ribbon {
@@ -73,8 +74,8 @@ void EnergyGuard::begin_step(const IslandState& state) {
   }
 }
 
-/// What drives: points that are pinned or dragged and kinematic bodies that hold the cord. If there are none, the first
-/// kinematic body that may be touched tells the frame; it and all others drive as soon as they are.
+/// What drives: points that are pinned or dragged, kinematic bodies that hold the cord, and supports. If there are
+/// none, the first kinematic body that may be touched tells the frame; it and all others drive as soon as they are.
 void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
   bool found = false;
   state.frame_velocity = {};
@@ -90,6 +91,10 @@ void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
     if (state.constrained[state.center(k)] == 0) continue;
     add(state.drive_velocities[state.center(k)]);
     state.driven = state.driven || state.drive_velocities[state.angle(k)].x != 0.0;
+  }
+  for (const BodySupport& support : state.supports.all) {
+    add({});
+    state.driven = state.driven || support.speed != 0.0;
   }
   if (!found) {
     for (const BodyAnchor& anchor : contacts.scene.anchors.bodies()) {
@@ -128,7 +133,7 @@ void EnergyGuard::store(const IslandState& state) const {
 
 Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   Energy sum;
-  sum.elastic = wheel_energy(state);
+  sum.elastic = wheel_energy(state) + support_energy(state);
   sum.potential = wheel_load_energy(state);
   const std::vector<Vec2>& x = state.positions;
   const Vec2 frame = state.frame_velocity;

@@ -8,6 +8,7 @@
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/supports.h"
 #include "ribbon/system/wheel_end.h"
 #include "ribbon/system/wheel_points.h"
 
@@ -114,6 +115,7 @@ void Island::end_step() {
   guard_.store(state_);
   store_touches();
   store_bodies(state_);
+  store_support_forces(state_);
   count_rest_time(state_, work_.report);
 }
 

@@ -73,9 +73,9 @@ void Substeps::end(const StepContext& context, const Cord::Energy& before, doubl
 }
 
 /// Takes the substep with TR-BDF2, or with SDIRK2 where there is no acceleration to begin with. A second-order
-/// integrator bounces where a contact begins or ends, or where the cord draws back a body that was pushed off it. There
-/// implicit Euler goes first and BDF2 follows. Returns false, at the start of the substep, if it has to be redone by
-/// implicit Euler.
+/// integrator bounces where a contact or the push of a support begins or ends, or where the cord draws back a body that
+/// was pushed off it. There implicit Euler goes first and BDF2 follows. Returns false, at the start of the substep, if
+/// it has to be redone by implicit Euler.
 bool Substeps::take_second_order(const StepContext& context, double time, double dt, const Cord::Energy& before) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
@@ -89,7 +89,8 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
     const bool converged =
         free && !state.restart ? integrators_.tr_bdf2(context, time, dt) : integrators_.sdirk2(context, time, dt);
     state.restart = !free;
-    if (contacts.empty() || !contacts.changed_at(state.positions)) return accept(context, converged, before);
+    const bool changed = state.supports.changed || (!contacts.empty() && contacts.changed_at(state.positions));
+    if (!changed) return accept(context, converged, before);
     context.return_to_start();
   }
   state.restart = true;

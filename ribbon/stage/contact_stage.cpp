@@ -54,7 +54,7 @@ bool ContactStage::solve(const StageContext& context, const StageRequest& reques
     strict = !strict && taken.crawls;
     state.positions.swap(newton.trial());
     newton.take_tensions(state);
-    if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || !newton.are_bars_settled(state, stage, iteration)) {
+    if (!taken.small || drive_left_ > 0.0 || newton.slip_began() || !newton.is_settled(state, stage, iteration)) {
       continue;
     }
     if (iteration < max_length_iterations && !state.driven && became_stretched(state)) continue;
@@ -132,6 +132,7 @@ double ContactStage::search(const StageContext& context, const Stage& stage, dou
   const auto energy = [&](std::span<const Vec2> x) {
     return newton.potential(state, stage, x, state.coupled) + context.contacts.potential(x);
   };
+  if (newton.supports_changed()) values_.clear();
   values_.push_back(energy(state.positions));
   while (values_.size() > (iteration > monotone_after ? 1U : stored_values)) values_.erase(values_.begin());
   const double max = *std::max_element(values_.begin(), values_.end());

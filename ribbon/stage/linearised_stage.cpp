@@ -5,6 +5,7 @@
 
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/supports.h"
 
 namespace ribbon {
 namespace {
@@ -70,7 +71,8 @@ void LinearisedStage::resize(std::size_t slots, std::size_t tensions) {
 }
 
 void LinearisedStage::reserve(const IslandState& state, const Contacts& contacts) {
-  solver_.reserve(2 * contacts.scene.pairs.capacity() + state.tensions.capacity() + state.held.capacity(),
+  solver_.reserve(2 * contacts.scene.pairs.capacity() + state.tensions.capacity() + state.held.capacity() +
+                      state.supports.all.capacity(),
                   state.positions.capacity() + state.duals + state.held.capacity());
   bar_rows_.reserve(state.tensions.capacity());
   solved_positions_.reserve(state.positions.capacity());
@@ -82,6 +84,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
                                         const StageRequest& request, Stage& stage, ContactSolve kind) {
   IslandState& state = context.state;
   for (HeldBody& held : state.held) held.limited = held.may_slip();
+  state.supports.are_rows = true;
   begin(context, request);
   stage.min_geometric_ratio = Stage::definite_geometric_ratio;
   stage.bars_are_rows = kind != ContactSolve::truncated;  // two active sets would not find which are slack
@@ -99,6 +102,7 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
     end(context, stage, course);
   }
   for (HeldBody& held : state.held) held.limited = false;
+  state.supports.are_rows = false;
   LinearisedResult& result = course.result;
   if (!context.contacts.empty()) {
     result.cut = !groups_.keep_apart(context, bounds, request.from);
@@ -251,6 +255,7 @@ void LinearisedStage::append_rows(const StageContext& context, const Stage& stag
     context.contacts.append_rows(context.state.positions, context.state.dt / stage.q, rows);
   }
   if (stage.bars_are_rows) bar_rows_.append(context.state, stage, rows);
+  append_support_rows(context.state, rows);
   append_slip_rows(context.state, stage.inertia, rows);
 }
 

@@ -5,6 +5,7 @@
 
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/supports.h"
 #include "ribbon/system/wheels.h"
 
 namespace ribbon {
@@ -13,7 +14,9 @@ namespace {
 constexpr double penalty_factor = 2.0;    // slope of the exact penalty, times the tension
 constexpr int judging_iterations = 7;     // in which a stage has to find out which bars are slack
 constexpr double misjudged_share = 1e-6;  // of the tolerance, by which a bar that is nearly slack may be misjudged
-constexpr int searched_iterations = 24;   // Newton steps of a stage with a line search
+constexpr double unexpected_share =
+    1e-2;                                // of the tolerance, by which an unexpected force of a support may move a body
+constexpr int searched_iterations = 24;  // Newton steps of a stage with a line search
 
 }  // namespace
 
@@ -39,6 +42,7 @@ bool NewtonSolver::find_direction(IslandState& state, const Stage& stage, Contac
 
 bool NewtonSolver::find_coupled_direction(IslandState& state, const Stage& stage, Contacts& contacts) {
   system_.make_pattern(state, contacts);
+  supports_changed_ = find_loaded(state);
   system_.load(state, stage);
   contacts.load(state.positions, system_.matrix(), system_.right_side());
   if (!system_.solve(state)) return false;
@@ -57,7 +61,7 @@ bool NewtonSolver::take_solution(IslandState& state, const Stage& stage) {
 
 /// First the part of the bodies, then the points, then how far the bodies turn; see HeldBody.
 bool NewtonSolver::find_single_direction(IslandState& state, Stage stage, Contacts& contacts) {
-  slip_began_ = false;
+  slip_began_ = supports_changed_ = false;
   close_arms(state, state.positions);
   const std::vector<Vec2>& x = state.positions;
   for (std::size_t k = 0; k < state.held.size(); ++k) {
@@ -125,7 +129,8 @@ void NewtonSolver::close_arms(const IslandState& state, std::span<Vec2> x) {
   }
 }
 
-bool NewtonSolver::are_bars_settled(IslandState& state, const Stage& stage, int iteration) const {
+bool NewtonSolver::is_settled(IslandState& state, const Stage& stage, int iteration) const {
+  if (!are_supports_settled(state, stage.inertia, unexpected_share * state.tolerance)) return false;
   if (iteration >= judging_iterations) return true;
   return std::none_of(state.members.begin(), state.members.end(), [&](const Member& member) {
     const double misjudged = member.cord->elasticity->active_set_error(
@@ -155,6 +160,7 @@ double NewtonSolver::potential(IslandState& state, const Stage& stage, std::span
     sum += 0.5 * stage.inertia[p] * dot(moved, moved) - dot(stage.force[p], moved);
     if (!stage.resistance.empty()) sum += 0.5 * dot(moved, stage.resistance[p] * moved);
   }
+  sum += support_potential(state, x);
   if (!with_grips) return sum;
   return sum + grip_potential(state, penalty_, x) + wheel_potential(state, penalty_, x);
 }
@@ -187,7 +193,7 @@ bool FreeStage::full_steps(const StageContext& context, const Stage& stage) {
     newton.move(state, state.positions, 1.0);
     newton.take_tensions(state);
     if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
-        newton.are_bars_settled(state, stage, iteration)) {
+        newton.is_settled(state, stage, iteration)) {
       return true;
     }
   }
@@ -218,7 +224,7 @@ bool FreeStage::searched_steps(const StageContext& context, const Stage& stage) 
     state.positions.swap(newton.trial());
     newton.take_tensions(state);
     if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
-        newton.are_bars_settled(state, stage, iteration)) {
+        newton.is_settled(state, stage, iteration)) {
       return true;
     }
   }

@@ -39,9 +39,12 @@ class NewtonSolver {
   static void close_arms(const IslandState& state, std::span<Vec2> x);
   /// Returns whether a grip began to slip in the last linear solve.
   bool slip_began() const { return slip_began_; }
-  /// Returns whether each bar was rightly taken for slack or taut, so that this iteration may be the last. After some
-  /// iterations it returns true: where nothing pulls, a bar may be either.
-  bool are_bars_settled(IslandState& state, const Stage& stage, int iteration) const;
+  /// Returns whether the last linear system had other supports than the one before, so that their energies differ.
+  bool supports_changed() const { return supports_changed_; }
+  /// Returns whether each bar was rightly taken for slack or taut, and each support for one that pushes or does not, so
+  /// that this iteration may be the last. After some iterations bars are not judged: where nothing pulls, a bar may be
+  /// either.
+  bool is_settled(IslandState& state, const Stage& stage, int iteration) const;
 
   /// Resets the slopes of the exact penalty.
   void reset_penalty();
@@ -71,6 +74,7 @@ class NewtonSolver {
   std::vector<HeldStep> held_steps_;
   std::vector<CondensedBody> carried_;
   bool slip_began_ = false;
+  bool supports_changed_ = false;
 };
 
 /// What the solve of a stage works on.

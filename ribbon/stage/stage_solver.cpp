@@ -5,6 +5,7 @@
 
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/supports.h"
 #include "ribbon/system/wheels.h"
 
 namespace ribbon {
@@ -29,6 +30,7 @@ bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBoun
                         const StageRequest& request) {
   ++work.report.stages;
   load_forces(state, request);
+  state.supports.stage_begins = true;
   Stage stage{request.q, prediction.positions, prediction.velocities, inertia_, force_, state.constrained};
   if (state.in_medium) stage.resistance = resistance_;
   stage.implicit_euler = request.euler;
@@ -39,6 +41,7 @@ bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBoun
     state.velocities[p] = prediction.velocities[p] + request.q * state.accelerations[p];
   }
   if (state.in_medium) find_medium_forces(state);
+  end_stage_of_supports(state);
   if (!request.euler) return converged;
   for (const Member& member : state.members) {
     member.cord->elasticity->add_rotational_damping(IslandState::stage_of(stage, member),

@@ -4,6 +4,7 @@
 
 #include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/supports.h"
 #include "ribbon/system/wheels.h"
 
 namespace ribbon {
@@ -174,6 +175,7 @@ void BlockSystem::load(const IslandState& state, const Stage& stage) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) right_side_[state.angle(k)].y = 0.0;
   load_grips(state, stage.inertia, matrix_, right_side_);
   load_wheel_rows(state, stage, matrix_, right_side_);
+  load_supports(state, matrix_, right_side_);
 }
 
 void BlockSystem::clear_constrained(const IslandState& state) {

@@ -62,6 +62,8 @@ void IslandState::begin_substep(double time, double substep_dt) {
   start.positions = positions;
   start.velocities = velocities;
   start.tensions = tensions;
+  supports.changed = false;
+  for (BodySupport& support : supports.all) support.start_push = support.push;
 }
 
 void IslandState::return_to_start() {
@@ -69,6 +71,8 @@ void IslandState::return_to_start() {
   positions = start.positions;
   velocities = start.velocities;
   tensions = start.tensions;
+  supports.changed = false;
+  for (BodySupport& support : supports.all) support.push = support.start_push;
 }
 
 void IslandState::add_damping(double sign) {

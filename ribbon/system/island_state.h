@@ -75,6 +75,34 @@ struct Wheel {
   bool blocked = false;    ///< the cord is kept from running: it ends at the wheel, or is held or tied there
 };
 
+/// A body's support in a step; see system/supports.h.
+struct BodySupport {
+  /// Whether it pushed at the end of the last stage.
+  enum class Push : unsigned char { unknown, no, yes };
+
+  std::size_t solved_index = 0;  ///< index of the body among those that are solved with the cords
+  Vec2 normal;                   ///< unit vector from the support to the body
+  double lever = 0.0;            ///< m, arm × normal: displacement of the place along the normal by a turn of a rad
+  double start = 0.0;            ///< m, of the centre of mass along the normal, at the start of the step
+  double gap = 0.0;              ///< m, at the start of the step
+  double speed = 0.0;            ///< m/s, of the support along the normal
+  bool hits = false;             ///< the body gets nearer to it at the start of the step, or is not at it yet
+  bool loaded = false;           ///< the linear system has it
+  Push push = Push::unknown;
+  Push start_push = Push::unknown;  ///< `push` at the start of the substep
+};
+
+/// The supports of an island.
+struct IslandSupports {
+  std::vector<BodySupport> all;  ///< by body
+  double stiffness = 0.0;        ///< N/m
+  bool are_rows = false;         ///< they are limited rows, because contacts are linearised once
+  bool changed = false;          ///< one began or ceased to push in the substep
+  bool stage_begins = false;     ///< the next linear system is the first one of a stage
+
+  bool any() const { return !all.empty(); }
+};
+
 /// What a step does with tied points that are apart.
 enum class ApartTies { drawn, kept, released };
 
@@ -128,15 +156,16 @@ struct IslandState {
   std::vector<HeldBody> held;  ///< by member and point, ascending
   IslandTies ties;
   std::vector<Wheel> wheels;  ///< by member
-  std::size_t points = 0;     ///< of all cords
-  std::size_t duals = 0;      ///< tensions that are unknowns of the linear system
-  bool coupled = false;       ///< false: a single cord whose bodies hold one point each, which its own solver can solve
-  bool driven = false;        ///< drives at several velocities, reels or unlocked cells change the energy
-  bool in_medium = false;     ///< a medium acts on a cord and changes the energy
-  bool reeling = false;       ///< a reel changes rest lengths
-  bool unlocking = false;     ///< inverted cells are turned back in this step
-  bool restart = false;       ///< the accelerations are out of date
-  bool jolted = false;        ///< a cord that runs through a groove changes its speed at once
+  IslandSupports supports;
+  std::size_t points = 0;  ///< of all cords
+  std::size_t duals = 0;   ///< tensions that are unknowns of the linear system
+  bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
+  bool driven = false;     ///< drives at several velocities, reels or unlocked cells change the energy
+  bool in_medium = false;  ///< a medium acts on a cord and changes the energy
+  bool reeling = false;    ///< a reel changes rest lengths
+  bool unlocking = false;  ///< inverted cells are turned back in this step
+  bool restart = false;    ///< the accelerations are out of date
+  bool jolted = false;     ///< a cord that runs through a groove changes its speed at once
   bool touch_changed = false;  ///< a contact began or ended in the last substep
   double now = 0.0;            ///< s, of the positions, since the step began
   Vec2 frame_velocity;  ///< m/s, of the inertial frame in which all that drives is at rest, so that it does no work

@@ -9,6 +9,7 @@
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/stretch.h"
+#include "ribbon/system/supports.h"
 #include "ribbon/system/tie_groups.h"
 #include "ribbon/system/wheels.h"
 
@@ -36,6 +37,8 @@ void reset(IslandState& state) {
   state.bodies.clear();
   state.held.clear();
   state.wheels.clear();
+  state.supports.all.clear();
+  state.supports.are_rows = false;
   state.ties.slots.clear();
   state.ties.by_cord.clear();
   state.ties.gaps.clear();
@@ -297,10 +300,11 @@ void load_body_accelerations(IslandState& state, const Member& member) {
   }
 }
 
-/// Returns whether the island is a single cord of which each body holds another point, so that the cord's own solver
-/// can solve it.
+/// Returns whether the island is a single cord of which each body holds another point and is not supported, so that the
+/// cord's own solver can solve it.
 bool is_single_cord(const IslandState& state) {
-  if (state.members.size() != 1 || !state.wheels.empty() || state.held.size() != state.bodies.size()) return false;
+  if (state.members.size() != 1 || !state.wheels.empty() || state.supports.any()) return false;
+  if (state.held.size() != state.bodies.size()) return false;
   for (std::size_t k = 0; k < state.held.size(); ++k) {
     const HeldBody& held = state.held[k];
     if (held.solved_index != k || !held.is_fixed_at_point() || state.rigid[at(held.rigid_index)].inverse_mass == 0.0)
@@ -336,6 +340,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
 void load_bodies(IslandState& state) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) load_body(state, k);
   load_wheels(state);
+  add_supports(state);
   for (const Member& member : state.members) load_body_accelerations(state, member);
   state.coupled = !is_single_cord(state);
 }

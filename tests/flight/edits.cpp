@@ -37,6 +37,7 @@ bool drop_unused_bodies(SolverStep& step) {
       for (auto& segment : cord.segments) visit(segment.body);
       for (auto& grip : cord.grips) visit(grip.body);
       for (auto& axle : cord.axles) visit(axle.body);
+      for (auto& support : cord.supports) visit(support.body);
     }
   };
   for_each([&places](int body) { places[static_cast<std::size_t>(body)] = 0; });

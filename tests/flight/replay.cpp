@@ -13,7 +13,9 @@ Replay::Replay(const engine::SolverStep& step) : step_(step), bodies_(step.bodie
     cords_.back().restore(cord.state);
     const ribbon::Medium* const medium = cord.medium < 0 ? nullptr : &media_[static_cast<std::size_t>(cord.medium)];
     island_cords_.push_back(
-        {&cords_.back(), {bodies_, cord.circles, cord.grips, cord.segments, cord.axles, medium, cord.time}, cord.id});
+        {&cords_.back(),
+         {bodies_, cord.circles, cord.grips, cord.segments, cord.axles, medium, cord.time, cord.supports},
+         cord.id});
   }
 }
 

@@ -106,7 +106,7 @@ std::size_t size_of(const SolverStep& step) {
   std::size_t sum = step.bodies.size();
   for (const SolverStep::Cord& cord : step.cords) {
     sum += 1 + cord.state.positions.size() + cord.circles.size() + cord.segments.size() + cord.grips.size() +
-           cord.axles.size();
+           cord.axles.size() + cord.supports.size();
   }
   return sum;
 }

@@ -1,6 +1,8 @@
 #include "tests/fuzz/arbitrary_surroundings.h"
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace fuzz {
 namespace {
@@ -40,10 +42,19 @@ ArbitrarySurroundings::ArbitrarySurroundings(Bytes& bytes, int points) {
     if (bytes.boolean()) grip.strength = bytes.number(1e-3, 1e6);
     grips.push_back(grip);
   }
-  if (bytes.below(4) != 0) return;
-  const double belt = bytes.number(-10.0, 10.0);
-  for (ribbon::RigidCircle& circle : circles) circle.tangent_speed = belt;
-  for (ribbon::RigidSegment& segment : segments) segment.tangent_speed = -belt;
+  if (bytes.below(4) == 0) {
+    const double belt = bytes.number(-10.0, 10.0);
+    for (ribbon::RigidCircle& circle : circles) circle.tangent_speed = belt;
+    for (ribbon::RigidSegment& segment : segments) segment.tangent_speed = -belt;
+  }
+  for (int k = bytes.below(4); k > 0; --k) {
+    const double angle = bytes.number(0.0, 2.0 * std::numbers::pi);
+    supports.push_back({bytes.integer(0, last),
+                        bytes.vector(-1.0, 1.0),
+                        {std::cos(angle), std::sin(angle)},
+                        bytes.boolean() ? bytes.number(0.0, 0.1) : 0.0,
+                        bytes.boolean() ? bytes.number(-2.0, 2.0) : 0.0});
+  }
 }
 
 }  // namespace fuzz

@@ -12,12 +12,17 @@ struct ArbitrarySurroundings {
   /// `points` is the number of points of the cord.
   ArbitrarySurroundings(Bytes& bytes, int points);
 
-  ribbon::Surroundings view() { return {bodies, circles, grips, segments}; }
+  ribbon::Surroundings view() {
+    ribbon::Surroundings surroundings{bodies, circles, grips, segments};
+    surroundings.supports = supports;
+    return surroundings;
+  }
 
   std::vector<ribbon::RigidBody> bodies;
   std::vector<ribbon::RigidCircle> circles;
   std::vector<ribbon::RigidSegment> segments;
   std::vector<ribbon::Grip> grips;
+  std::vector<ribbon::Support> supports;
 };
 
 }  // namespace fuzz

@@ -173,6 +173,18 @@ TEST(Cord, RefusesInvalidStepsAndChangesNothing) {
   refuses(0.01, {}, {bodies, wheel, {}, {}}, "circles[0].tangent_speed");
   const std::array grips{Grip{51, 0, {}}};
   refuses(0.01, {}, {bodies, {}, grips, {}}, "grips[0].point");
+  const auto refuses_support = [&](const Support& support, const std::string& field) {
+    Surroundings supported{bodies};
+    const std::array supports{support};
+    supported.supports = supports;
+    refuses(0.01, {}, supported, "supports[0]." + field);
+  };
+  refuses_support({2, {}, {0.0, 1.0}}, "body");
+  refuses_support({0, {nan, 0.0}, {0.0, 1.0}}, "arm");
+  refuses_support({0, {}, {0.0, 2.0}}, "normal");
+  refuses_support({0, {}, {0.0, 0.5}}, "the length of normal");
+  refuses_support({0, {}, {0.0, 1.0}, -1e-6}, "gap");
+  refuses_support({0, {}, {0.0, 1.0}, 0.0, nan}, "speed");
   bodies[1].inverse_mass = -1.0;
   refuses(0.01, {}, {bodies, {}, {}, {}}, "bodies[1].inverse_mass");
   EXPECT_EQ(cord.save(), before);

@@ -157,6 +157,7 @@ TEST(CouplingState, InvalidNumbersAreRefused) {
       {"state.carries.body", [](State& s) { s.carries[1].body = 2; }},
       {"state.carries.body", [](State& s) { std::swap(s.carries[0], s.carries[1]); }},
       {"state.carries", [](State& s) { s.carries[0].memory.expected_delta_v.x = nan; }},
+      {"state.carries", [](State& s) { s.carries[0].memory.support_delta_v.y = nan; }},
       {"state.carries.carry", [](State& s) { s.carries[0].memory.carry.y = 2e9; }},
       {"state.carries.angular_carry", [](State& s) { s.carries[0].memory.angular_carry = 2e9; }},
       {"state.carries.angular_carry", [](State& s) { s.carries[0].memory.angular_carry = nan; }},

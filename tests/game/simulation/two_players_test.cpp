@@ -123,7 +123,7 @@ TEST(Tether, APlayerThatStandsStillBearsItsPartner) {
 }
 
 TEST(Tether, AHeavyPartnerPullsItAlong) {
-  const Level level = level_for_two({.second_mass = 240.0});
+  const Level level = level_for_two({.second_mass = 300.0});
   Simulation simulation(level);
   while (x(simulation, 1) < 16.5) {
     ASSERT_LT(simulation.ticks(), 300);
@@ -142,8 +142,9 @@ TEST(Tether, ReelingHaulsThePartnerUp) {
   const double height = height_of(simulation, 1);
   const double whole = simulation.tether()->length();
   run(simulation, 60, button_reel_in, 0);
-  EXPECT_NEAR(simulation.tether()->length(), whole - Tether::reel_in_speed, 0.05);
-  EXPECT_NEAR(height_of(simulation, 1), height + Tether::reel_in_speed, 0.25);
+  // It begins with a jolt, in which it is stronger than the player for some ticks.
+  EXPECT_NEAR(simulation.tether()->length(), whole - Tether::reel_in_speed, 0.15);
+  EXPECT_NEAR(height_of(simulation, 1), height + Tether::reel_in_speed, 0.35);
   run(simulation, 60, 0, button_reel_out);
   EXPECT_NEAR(simulation.tether()->length(), whole, 1e-9) << "not longer than it is";
 }
@@ -344,6 +345,21 @@ TEST(TheLightOneFirst, TheThinRopeBreaksUnderTheHeavyOne) {
   }
   EXPECT_GE(breaks, 1);
   EXPECT_NEAR(height_of(simulation, 1), 3.75, 0.1);
+}
+
+/// The light one stands firmly against a wall. At the edge, where the rope draws sideways, a winch without a limit
+/// threw the heavy one up at 48 m/s.
+TEST(TheLightOneFirst, ReelsTheHeavyOneOverTheEdgeWithoutThrowingIt) {
+  const engine::Replay replay = engine::load_replay(TEST_ASSETS "/replays/the_light_one_first.replay");
+  const Level level = load_level("the_light_one_first");
+  Simulation simulation(level);
+  float fastest = 0.0F;
+  for (const auto& tick : replay.ticks) {
+    simulation.tick(tick.input);
+    fastest = std::max(fastest, simulation.player(1).body().GetLinearVelocity().Length());
+  }
+  EXPECT_TRUE(simulation.goal_ticks());
+  EXPECT_LT(fastest, 9.0F);
 }
 
 /// Returns the map of a level for two whose second player is changed.
