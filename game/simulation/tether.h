@@ -18,7 +18,7 @@ class Tether {
   static constexpr double min_length = 1.0;     ///< m, by reeling in
   static constexpr double reel_in_speed = 1.5;  ///< m/s
   static constexpr double reel_out_speed = 3.0;
-  static constexpr double max_pull = 3000.0;  ///< N, of the cord at a player, above which it is not reeled in
+  static constexpr double max_pull = 3000.0;    ///< N, of the cord at a player, above which it is not reeled in
   static constexpr double foot_friction = 1.0;  ///< of a tied player that stands still: it bears a pull of its weight
   static constexpr double max_gap = 0.5;        ///< m, from an end of the cord to the waist that holds it
 
