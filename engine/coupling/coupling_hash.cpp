@@ -79,7 +79,7 @@ void add(Hasher& hasher, const CouplingState::Carry& carried) {
     hasher.add(v);
   }
   for (const double number : {angular_carry, angular_velocity, dt}) hasher.add(number);
-  if (support_delta_v != Vec2{}) hasher.add(support_delta_v);  // the hash of a world without supports is that of 0.2.0
+  if (support_delta_v != Vec2{}) hasher.add(support_delta_v);  // so worlds without supports keep the hashes they had
 }
 
 void add(Hasher& hasher, const CouplingState::Fixture& known) {

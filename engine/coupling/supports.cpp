@@ -9,7 +9,7 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr double max_wedging_speed = 0.9;  // m/s
+constexpr double max_wedging_speed = 0.9;  // m/s, with which a cord may press a body between several contacts
 constexpr double threshold_share = 0.9;    // of the speed from which on Box2D lets a body rebound
 constexpr double resting_overlap = 0.5 * static_cast<double>(b2_linearSlop);  // m, less than Box2D takes back
 

@@ -11,12 +11,11 @@
 namespace ribbon {
 namespace {
 
-constexpr double penalty_factor = 2.0;    // slope of the exact penalty, times the tension
-constexpr int judging_iterations = 7;     // in which a stage has to find out which bars are slack
-constexpr double misjudged_share = 1e-6;  // of the tolerance, by which a bar that is nearly slack may be misjudged
-constexpr double unexpected_share =
-    1e-2;                                // of the tolerance, by which an unexpected force of a support may move a body
-constexpr int searched_iterations = 24;  // Newton steps of a stage with a line search
+constexpr double penalty_factor = 2.0;     // slope of the exact penalty, times the tension
+constexpr int judging_iterations = 7;      // in which a stage has to find out which bars are slack
+constexpr double misjudged_share = 1e-6;   // of the tolerance, by which a bar that is nearly slack may be misjudged
+constexpr double unexpected_share = 1e-2;  // of the tolerance, by which a support that is not loaded may move a body
+constexpr int searched_iterations = 24;    // Newton steps of a stage with a line search
 
 }  // namespace
 
