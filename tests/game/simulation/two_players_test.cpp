@@ -347,21 +347,6 @@ TEST(TheLightOneFirst, TheThinRopeBreaksUnderTheHeavyOne) {
   EXPECT_NEAR(height_of(simulation, 1), 3.75, 0.1);
 }
 
-/// The light one stands firmly against a wall. At the edge, where the rope draws sideways, a winch without a limit
-/// threw the heavy one up at 48 m/s.
-TEST(TheLightOneFirst, ReelsTheHeavyOneOverTheEdgeWithoutThrowingIt) {
-  const engine::Replay replay = engine::load_replay(TEST_ASSETS "/replays/the_light_one_first.replay");
-  const Level level = load_level("the_light_one_first");
-  Simulation simulation(level);
-  float fastest = 0.0F;
-  for (const auto& tick : replay.ticks) {
-    simulation.tick(tick.input);
-    fastest = std::max(fastest, simulation.player(1).body().GetLinearVelocity().Length());
-  }
-  EXPECT_TRUE(simulation.goal_ticks());
-  EXPECT_LT(fastest, 9.0F);
-}
-
 /// Returns the map of a level for two whose second player is changed.
 engine::TiledMap with_second(const std::function<void(engine::MapObject&)>& change) {
   engine::TiledMap map = level_for_two().map;
