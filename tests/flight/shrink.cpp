@@ -76,6 +76,7 @@ class Shrinker {
     shrink_list([k](SolverStep & step) -> auto& { return step.cords[k].circles; });
     shrink_list([k](SolverStep & step) -> auto& { return step.cords[k].segments; });
     shrink_list([k](SolverStep & step) -> auto& { return step.cords[k].grips; });
+    shrink_list([k](SolverStep & step) -> auto& { return step.cords[k].supports; });
     attempt_edits(
         cord_edits(), [k](SolverStep & step) -> auto& { return step.cords[k]; });
     cut_ends(k);
