@@ -5,6 +5,7 @@
 
 #include "ribbon/island/island.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/pulley.h"
 #include "ribbon/system/cord_parts.h"
 
 namespace ribbon {
@@ -48,11 +49,6 @@ Cord::Cord(Cord&& other) noexcept = default;
 Cord& Cord::operator=(Cord&& other) noexcept = default;
 Cord::~Cord() = default;
 
-double Cord::tension(int link) const {
-  check_range("link", link, 0, parts_->def.points - 2);
-  return parts_->tension(at(link));
-}
-
 double Cord::breaking_force(int link) const {
   check_range("link", link, 0, parts_->def.points - 2);
   const std::vector<double>& forces = parts_->state.breaking_forces;
@@ -60,9 +56,9 @@ double Cord::breaking_force(int link) const {
 }
 
 void check_axles(const Cord& cord, const Surroundings& surroundings) {
-  if (surroundings.axles.size() == cord.pulleys().size()) return;
+  if (surroundings.axles.size() == pulleys_of(cord).size()) return;
   throw DefinitionError("axles are " + std::to_string(surroundings.axles.size()) +
-                        "; accepted is one for each of the " + std::to_string(cord.pulleys().size()) +
+                        "; accepted is one for each of the " + std::to_string(pulleys_of(cord).size()) +
                         " pulleys of the cord");
 }
 
@@ -90,7 +86,6 @@ PointKind Cord::kind(int point) const { return parts_->state.kinds[at(point)]; }
 Vec2 Cord::target(int point) const { return parts_->state.targets[at(point)]; }
 double Cord::mass(int point) const { return parts_->state.masses[at(point)]; }
 double Cord::rest_length(int i) const { return parts_->state.rest[at(i)]; }
-Cord::Energy Cord::energy(Vec2 gravity) const { return parts_->energy(gravity); }
 bool Cord::is_asleep() const { return parts_->state.asleep; }
 void Cord::wake() { parts_->wake(); }
 std::span<const Touch> Cord::touches() const { return parts_->state.touches; }
@@ -172,8 +167,6 @@ void Cord::reel(int first, int last, double length, double speed) {
   }
   parts_->disturb();
 }
-
-std::span<const Pulley> Cord::pulleys() const { return parts_->state.pulleys; }
 
 void Cord::reserve(std::size_t grips) {
   parts_->state.holders.reserve(grips);

@@ -23,8 +23,8 @@ struct CordParts;
 /// unless more bodies and shapes come near than before. It throws DefinitionError for a value out of range, before
 /// anything has moved.
 ///
-/// More functions of a cord are in other headers: forces (cord_forces.h), bounds of its motion (cord_sweep.h), lines
-/// for drawing (smooth_line.h), cuts (cut.h), wheels that it runs around (pulley.h).
+/// More functions of a cord are in other headers: tensions, energies and reaction forces (cord_forces.h), bounds of its
+/// motion (cord_sweep.h), lines for drawing (smooth_line.h), cuts (cut.h), wheels that it runs around (pulley.h).
 class Cord {
  public:
   /// Creates a cord at rest. Throws DefinitionError if check(def) does.
@@ -45,14 +45,14 @@ class Cord {
   int index(int i, int j) const;
   std::span<const Vec2> positions() const;   ///< m, by index
   std::span<const Vec2> velocities() const;  ///< m/s, by index
-  /// Returns what the solver keeps as tensions, for saving and debugging; for a force of any cord call `tension`. They
-  /// are negative under compression. A rope has one per link [N], a ribbon of bars one per bar [N]. A ribbon of cells
-  /// has one entry per cell first, column by column, then one tension per bar along its middle line, if it has any [N]
-  /// (see CordDef::cell_stiffness). The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters μ and λ
-  /// [N/m] and the sum of its principal stretches |z|.
+  /// Returns what the solver keeps as tensions, for saving and debugging; for a force of any cord call `tension_of`.
+  /// They are negative under compression. A rope has one per link [N], a ribbon of bars one per bar [N]. A ribbon of
+  /// cells has one entry per cell first, column by column, then one tension per bar along its middle line, if it has
+  /// any [N] (see CordDef::cell_stiffness). The entry of a cell is (μ + λ)·area·(|z| − 2) [J], with its Lamé parameters
+  /// μ and λ [N/m] and the sum of its principal stretches |z|.
   std::span<const double> tensions() const;
-  /// Returns whether a point is free, dragged or pinned. This and the next three do not check the index, as operator[]
-  /// of a vector does not.
+  /// Returns whether a point is free, operated (dragged) or constrained (pinned). This and the next three do not check
+  /// the index, as operator[] of a vector does not.
   PointKind kind(int point) const;
   /// Returns the target of a constrained or operated point, m.
   Vec2 target(int point) const;
@@ -60,21 +60,6 @@ class Cord {
   double mass(int point) const;
   /// Returns the rest length of the link from column i to column i + 1, m.
   double rest_length(int i) const;
-  /// Energies of the cord, its loads and its attached masses.
-  struct Energy {
-    double kinetic = 0.0;    ///< J
-    double elastic = 0.0;    ///< J, of bars and cells, from their tensions
-    double potential = 0.0;  ///< J, in gravity and under the loads
-    /// Returns the sum, J.
-    double total() const { return kinetic + elastic + potential; }
-  };
-  /// Returns the energies under `gravity` [m/s²].
-  Energy energy(Vec2 gravity) const;
-
-  /// Returns the tension of the link from column `link` to the next one, N; negative under compression. That of a
-  /// ribbon is the force of all elements between the two columns, in the direction of the middle line. Throws
-  /// DefinitionError for an unknown link. O(rows).
-  double tension(int link) const;
   /// Returns the tension above which a link breaks, N. Throws DefinitionError for an unknown link.
   double breaking_force(int link) const;
   /// s, rest time before a cord falls asleep, as b2_timeToSleep.
@@ -86,7 +71,8 @@ class Cord {
   /// Wakes the cord and restarts its rest time.
   void wake();
 
-  // Each of these throws DefinitionError, and changes nothing, for an unknown point or a value out of range.
+  // Each of these throws DefinitionError, and changes nothing, for an unknown point, link or column and for a value out
+  // of range.
 
   /// Attaches a point mass [kg], 0 … 1e12, to a point. It replaces the mass attached before.
   void attach_mass(int point, double mass);
@@ -115,13 +101,11 @@ class Cord {
   void reel(int first, int last, double length, double speed);
 
   /// Advances the cord by dt seconds, 1e-9 ≤ dt ≤ 1, under `gravity` [m/s²]. Bodies that hold the cord (`grips`) or
-  /// touch it are solved with it, and a Medium in the surroundings acts on it. The step adds to each body's impulses
-  /// what gives it its velocity at the end of the step, and writes the displacement of those that hold the cord to
-  /// `moved` and `turned`; you move the bodies, as a Coupling does. O(points) for each Newton step.
+  /// touch it are solved with it, and a Medium in the surroundings acts on it. The step adds the
+  /// impulses of the cord to each body's `impulse` and `angular_impulse`, which give it its velocity at the end of the
+  /// step, and writes the displacement of those that hold the cord to `moved` and `turned`. You move the bodies, as a
+  /// Coupling does. O(points) for each Newton step.
   IslandReport step(double dt, Vec2 gravity, const Surroundings& surroundings = {});
-
-  /// Returns the pulleys, ordered along the cord.
-  std::span<const Pulley> pulleys() const;
 
   /// Reserves memory for steps with up to this many grips; initially for 4.
   void reserve(std::size_t grips);
@@ -186,10 +170,9 @@ class Cord {
   State save() const;
   /// Writes the state into an existing object. It allocates nothing if that object held a state of this cord before.
   void save(State& state) const;
-  /// Continues from a saved state with the same bits. Throws DefinitionError, and changes nothing, if check_state does.
+  /// Continues from a saved state with the same bits. Throws DefinitionError, and changes nothing, unless the state
+  /// fits this cord's size and terms and all its values are in range.
   void restore(const State& state);
-  /// Throws DefinitionError unless the state fits this cord's size and terms and all its values are in range.
-  void check_state(const State& state) const;
 
   /// Returns the internal parts of the cord, for the solver.
   CordParts& parts() { return *parts_; }
@@ -200,5 +183,8 @@ class Cord {
   // For steps by itself. Null after free_solver, and at first if the cord was made of its parts.
   std::unique_ptr<Island> island_;
 };
+
+/// Throws DefinitionError unless the state fits the cord's size and terms and all its values are in range.
+void check_state(const Cord& cord, const Cord::State& state);
 
 }  // namespace ribbon

@@ -90,7 +90,7 @@ struct CordDef {
   /// m², 0 … 1e12: cross-section that displaces a Medium, which gives buoyancy; π·radius² for a solid round rope.
   double displaced_area = 0.0;
   bool tension_only = false;  ///< of a rope: links resist tension but not compression
-  /// N, above 0: tension (Cord::tension) above which a link breaks; a ribbon breaks across. Infinity, the default,
+  /// N, above 0: tension (tension_of) above which a link breaks; a ribbon breaks across. Infinity, the default,
   /// makes the cord unbreakable. The cord itself only reports an overloaded link (overloaded_link); a coupling cuts it
   /// there.
   double breaking_force = std::numeric_limits<double>::infinity();

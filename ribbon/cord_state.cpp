@@ -89,8 +89,9 @@ void Cord::save(State& state) const {
   state.unlocked.assign(unlocked.begin(), unlocked.end());
 }
 
-void Cord::check_state(const State& state) const {
-  check_sizes(state, *parts_);
+void check_state(const Cord& cord, const Cord::State& state) {
+  const CordParts& parts = cord.parts();
+  check_sizes(state, parts);
   check_vectors("state.positions", state.positions);
   check_vectors("state.velocities", state.velocities);
   check_vectors("state.accelerations", state.accelerations);
@@ -105,14 +106,14 @@ void Cord::check_state(const State& state) const {
   check_all("state.breaking_forces", state.breaking_forces, 0.0, std::numeric_limits<double>::infinity());
   check_range("state.regainable_energy", state.regainable_energy, -largest, largest);
   check_range("state.energy_drift", state.energy_drift, -largest, largest);
-  check_range("state.rest_time", state.rest_time, state.asleep ? time_to_sleep : 0.0,
-              parts_->def.allow_sleep ? time_to_sleep : 0.0);
-  check_pulleys(state, *parts_);
+  check_range("state.rest_time", state.rest_time, state.asleep ? Cord::time_to_sleep : 0.0,
+              parts.def.allow_sleep ? Cord::time_to_sleep : 0.0);
+  check_pulleys(state, parts);
   for (const PointKind kind : state.kinds) {
     if (kind > PointKind::constrained) check_range("state.kinds", static_cast<int>(kind), 0, 2);
   }
-  for (const Holder& holder : state.holders) {
-    check_range("state.holders.point", holder.point, 0, size() - 1);
+  for (const Cord::Holder& holder : state.holders) {
+    check_range("state.holders.point", holder.point, 0, cord.size() - 1);
     check_vectors("state.holders", std::array{holder.velocity, holder.acceleration, holder.pull});
     check_all("state.holders", std::array{holder.turning, holder.angular_acceleration, holder.slid}, -largest, largest);
   }
@@ -124,7 +125,7 @@ void Cord::check_state(const State& state) const {
 }
 
 void Cord::restore(const State& state) {
-  check_state(state);
+  check_state(*this, state);
   CordParts& parts = *parts_;
   parts.sweep.reset();
   parts.state = state;

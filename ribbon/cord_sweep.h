@@ -23,7 +23,7 @@ bool remembers_sweep(const Cord& cord);
 /// Returns whether the cord collides with other cords: with those that declare cord_contact as it does, and, with
 /// self_contact, with other pieces of the cord that it was cut from.
 bool meets_cords(const Cord& cord);
-/// Starts to load into the cache what these functions, Cord::def and Cord::pulleys read. Call it in a loop over many
+/// Starts to load into the cache what these functions, Cord::def and pulleys_of read. Call it in a loop over many
 /// cords, for a cord some turns ahead. It changes nothing but the speed.
 void fetch(const Cord& cord);
 

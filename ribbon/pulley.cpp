@@ -153,6 +153,8 @@ void check_pulley(const CordParts& cord, int pulley) {
 
 }  // namespace
 
+std::span<const Pulley> pulleys_of(const Cord& cord) { return cord.parts().state.pulleys; }
+
 int add_pulley(Cord& cord, const PulleyDef& def) {
   CordParts& parts = cord.parts();
   std::vector<Pulley>& pulleys = parts.state.pulleys;

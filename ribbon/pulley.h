@@ -17,9 +17,10 @@ struct PulleyDef {
   Vec2 center{};                 ///< m, of the wheel
   double radius = 0.1;           ///< m, of the groove to the middle of the cord, 1e-6 … 1e6
   bool counterclockwise = true;  ///< the cord, from its first to its last point, runs counterclockwise around the wheel
-  int turns = 0;   ///< whole turns of the cord around the wheel, 0 … 100; the arc that is less than a turn is extra
-  int before = 0;  ///< index of the last point before the wheel; see reeve
-  int after = 1;   ///< index of the first point behind it
+  int turns =
+      0;  ///< full turns of the cord around the wheel, 0 … 100, in addition to the arc from arrival to departure
+  int before = 0;        ///< index of the last point before the wheel; see reeve
+  int after = 1;         ///< index of the first point behind it
   double inertia = 0.0;  ///< kg·m², moment of inertia of the wheel about its axle, 0 … 1e12
   /// Coefficient μ of the groove, 0 … 10, or infinity, the default, if the cord does not slip. With an arc of contact α
   /// it slips where the larger tension exceeds e^(μ·α) times the smaller one.
@@ -34,12 +35,12 @@ struct PulleyDef {
 /// A pulley of a cord and its state.
 struct Pulley {
   PulleyDef def;       ///< definition, with the centre at the start and the current points before and behind the wheel
-  double lead = 0.0;   ///< m, length of cord at rest from the point before the wheel to the wheel
+  double lead = 0.0;   ///< m, rest length of the cord from the point `before` to the wheel
   double arc = 0.0;    ///< rad, angle of contact
   Vec2 arrival;        ///< unit vector from the centre to where the cord arrives
   Vec2 departure;      ///< unit vector from the centre to where the cord leaves
   double speed = 0.0;  ///< m/s, at which the cord runs through the groove
-  double acceleration = 0.0;    ///< m/s², the same
+  double acceleration = 0.0;    ///< m/s², of the cord through the groove
   double angle = 0.0;           ///< rad, by which the wheel has turned, counterclockwise
   double turning = 0.0;         ///< rad/s, angular velocity of the wheel, counterclockwise
   double tension_before = 0.0;  ///< N, of the cord before the wheel
@@ -47,7 +48,7 @@ struct Pulley {
   double slip_sign = 0.0;       ///< sign of the friction along the cord while it slips; 0 while it does not
   double blocked = 0.0;     ///< direction in which the cord cannot run, 1 or −1: it ends there, or something holds it
   bool kept = false;        ///< the cord bends away from the wheel, and a keeper at its groove holds it
-  double motor_sign = 0.0;  ///< sign of the torque of a motor that gives its largest; 0 while it holds its speed
+  double motor_sign = 0.0;  ///< sign of the torque while the motor gives its largest; 0 while it keeps its speed
 
   bool operator==(const Pulley&) const = default;
 };
@@ -74,12 +75,16 @@ struct ReevedCord {
 /// neighbouring wheels and one between a wheel and an end.
 ReevedCord reeve(Vec2 first, std::span<const PulleyDef> wheels, Vec2 last, int points);
 
+/// Returns the pulleys of a cord, ordered along it. Valid until a pulley is added or removed, the cord is cut or
+/// restored.
+std::span<const Pulley> pulleys_of(const Cord& cord);
 /// Lays a cord around a wheel. Each step then needs an axle for the wheel (Surroundings::axles). The points between
 /// `before` and `after` are placed on the wheel. Returns the index of the pulley: pulleys are ordered along the cord. A
 /// cord with a pulley does not sleep. Its part on the wheel is not stretched and touches nothing. Throws
-/// DefinitionError for a value out of range. Throws it too unless the points `before` and `after` are where the cord
-/// runs past the wheel: the length around the wheel may differ from the rest length between them by a tenth of that.
-/// Throws CallError for a ribbon, for a cord with bending stiffness, and where a point is fixed or on another wheel.
+/// DefinitionError for a value out of range, and unless the points `before` and `after` are where the cord runs past
+/// the wheel: the path around the wheel from one to the other differs from the rest length between them by at most a
+/// tenth. Throws CallError for a ribbon, for a cord with bending stiffness, and where a point is fixed or on another
+/// wheel.
 int add_pulley(Cord& cord, const PulleyDef& def);
 /// Takes the cord off a wheel. Throws DefinitionError for an unknown pulley.
 void remove_pulley(Cord& cord, int pulley);

@@ -8,6 +8,7 @@
 #include "ribbon/box2d/crossing.h"
 #include "ribbon/cord_forces.h"
 #include "ribbon/cord_sweep.h"
+#include "ribbon/pulley.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -101,7 +102,7 @@ void move_ties(CouplingParts& parts, const CutCord& cut) {
 
 /// Pulleys go to the piece that has all points at their wheel.
 void move_pulleys(CouplingParts& parts, const CutCord& cut, CoupledCord& whole) {
-  if (whole.direct().pulleys().empty()) return;
+  if (pulleys_of(whole.direct()).empty()) return;
   parts.pulleys.follow_cut(whole, [&](const Pulley& pulley) -> CoupledCord* {
     const int side = pulley.def.before >= cut.where.column ? 1 : 0;
     const bool is_cut = side == 0 && pulley.def.after > cut.where.column;
@@ -207,7 +208,7 @@ void break_overloaded(CouplingParts& parts) {
   });
   for (const auto& [id, link] : broken) {
     const Cord& cord = parts.cords.at(id).direct();
-    const double tension = cord.tension(link);
+    const double tension = tension_of(cord, link);
     cut_cord(parts, id, cut_through(cord, link));
     parts.cuts.last_broke(tension);
   }

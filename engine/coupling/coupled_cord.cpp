@@ -3,6 +3,7 @@
 #include "ribbon/box2d/leaf_search.h"
 #include "ribbon/box2d/slot.h"
 #include "ribbon/cord_sweep.h"
+#include "ribbon/pulley.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -108,7 +109,7 @@ void CoupledCord::reserve() {
 
 const Pulley* CoupledCord::wheel_at(double column) const {
   if (!is_direct()) return nullptr;
-  const std::span<const Pulley> pulleys = direct().pulleys();
+  const std::span<const Pulley> pulleys = pulleys_of(direct());
   const auto found = std::find_if(pulleys.begin(), pulleys.end(), [column](const Pulley& pulley) {
     return column > pulley.def.before && column < pulley.def.after;
   });
@@ -125,7 +126,7 @@ void CoupledCord::check_off_wheels(const char* what, double column) const {
 
 double CoupledCord::free_of_wheels(double from, double to) const {
   if (!is_direct()) return to;
-  for (const Pulley& pulley : direct().pulleys()) {
+  for (const Pulley& pulley : pulleys_of(direct())) {
     if (from <= pulley.def.before) to = std::min(to, static_cast<double>(pulley.def.before));
     if (from >= pulley.def.after) to = std::max(to, static_cast<double>(pulley.def.after));
   }

@@ -314,14 +314,13 @@ void Coupling::use(const ParallelFor& parallel_for) {
 }
 
 void Coupling::estimate_errors(bool wanted) {
-  if (wanted == estimates_errors()) return;
+  if (wanted == parts_->probe.has_value()) return;
   parts_->probe.reset();
   if (wanted) parts_->probe.emplace();
   parts_->cords.activate_if([](const CoupledCord&) { return true; });
   for (CoupledCord& cord : parts_->cords) cord.error = 0.0;
 }
 
-bool Coupling::estimates_errors() const { return parts_->probe.has_value(); }
 void Coupling::watch(StepWatcher* watcher) {
   parts_->watcher = watcher;
   parts_->cords.activate_if([](const CoupledCord&) { return true; });
@@ -332,7 +331,6 @@ void Coupling::set_medium(const Medium* medium) {
   parts_->cords.activate_if([](const CoupledCord&) { return true; });
 }
 
-double Coupling::medium_time() const { return parts_->medium_time; }
 void Coupling::listen(ContactListener* listener) { parts_->listener = listener; }
 const b2Fixture* Coupling::fixture(std::uint64_t number) const { return parts_->fixtures.fixture(number); }
 

@@ -44,7 +44,8 @@ namespace ribbon::box2d {
 ///
 /// **Solvers.** Cords of both solvers can be in one coupling. Cords of the thesis's solver meet circles only. Cords of
 /// the direct solver meet circles, edges, chains and polygons; they are solved together with all bodies that hold or
-/// touch them, and with other cords that those bodies touch. So the previous paragraph holds for all such bodies.
+/// touch them, and with other cords that those bodies touch. So what the paragraph on velocities says holds for bodies
+/// that only touch such a cord, too.
 ///
 /// **Sleep.** A cord that is allowed to sleep falls asleep together with the bodies that hold or touch it
 /// (b2Body::SetAwake), and it wakes when one of them wakes.
@@ -55,12 +56,11 @@ namespace ribbon::box2d {
 /// near in one tick for the first time; a body that a cord moved or touched in the last tick is no longer near.
 ///
 /// **Destroyed bodies.** The coupling installs no listener. Bodies and fixtures may be created and destroyed between
-/// ticks; the coupling never reads the memory of a destroyed one. Box2D can give its address to a new object. The
-/// coupling notices this, except in two cases. In the first, nothing that was created after the destroyed object is
-/// left: it was the newest body of the world, or the newest fixture of its body. In the second, the object that was
-/// created just before it is gone too. In these cases destroy it with `destroy`, or call `forget` first; otherwise the
-/// new object inherits grip, stored velocity and fixture number. The world must outlive all calls except the
-/// destructor, until another world is gathered.
+/// ticks; the coupling never reads the memory of a destroyed one. Box2D can give the address of a destroyed
+/// body or fixture to a new one. The coupling notices this, except in two cases: the destroyed object was the newest
+/// one left in its world or body, or the object that was created just before it is gone too. In these cases destroy it
+/// with `destroy`, or call `forget` first; otherwise the new object inherits grip, stored velocity and fixture number.
+/// The world must outlive all calls except the destructor, until another world is gathered.
 ///
 /// **Errors.** A value out of range throws DefinitionError. A wrong call throws CallError: one for a cord or grip that
 /// does not exist, for a cord of the other solver (unless the function returns a default for it), inside world.Step, or
@@ -74,7 +74,8 @@ class Coupling {
   ~Coupling();
 
   /// Adds a cord of the direct solver. `filter` determines which fixtures it meets, of any shape and sensors too, as
-  /// between two fixtures of Box2D. Cords meet each other by CordDef::cord_contact.
+  /// between two fixtures of Box2D. Cords meet each other by CordDef::cord_contact. Throws CallError for a cord with
+  /// pulleys: add these with add_pulley.
   CordId add(Cord cord, const b2Filter& filter = {});
   /// Adds a cord of the thesis's solver. `filter` applies to circles.
   CordId add(ThesisCord cord, const b2Filter& filter = {});
@@ -173,23 +174,18 @@ class Coupling {
   /// Starts or stops to estimate the error of each tick of the cords of the direct solver; see ErrorProbe. An estimate
   /// costs as much as four ticks and does not change the motion.
   void estimate_errors(bool wanted);
-  /// Returns whether errors are estimated.
-  bool estimates_errors() const;
   /// Sets an object whose functions are called before and after each step of the direct solver, or null for none. It
   /// must outlive the steps. It is not part of the state, and costs nothing if it is null.
   void watch(StepWatcher* watcher);
-  /// Sets an object that decides which fixtures collide with which cords in a tick, and with what friction and tangent
-  /// speed, and that gets the impulses; null for none. It must outlive the ticks. It is not part of the state, and
-  /// costs nothing if it is null.
+  /// Sets an object that decides which fixtures collide with which cords in a tick, and with what friction,
+  /// restitution and tangent speed, and that gets the impulses; null for none. It must outlive the ticks. It is not
+  /// part of the state, and costs nothing if it is null.
   void listen(ContactListener* listener);
   /// Sets the medium that flows around all cords of the direct solver, such as a Weather; null, the default, for none.
-  /// It must outlive the ticks. It is not part of the state, but its time is. It acts on cords that declare
-  /// drag_across, drag_along or displaced_area, and not on bodies or cords of the thesis's solver. Costs nothing if it
-  /// is null.
+  /// It must outlive the ticks. It is not part of the state, but its time is (StepView::medium_time). It acts on cords
+  /// that declare drag_across, drag_along or displaced_area, and not on bodies or cords of the thesis's solver. Costs
+  /// nothing if it is null.
   void set_medium(const Medium* medium);
-  /// Returns the time for which the medium is asked at the start of the next tick: the time that ticks with a medium
-  /// took so far, s. It is part of the state.
-  double medium_time() const;
   /// The coupling numbers the fixtures that come near a cord; unlike an address, a number never comes to mean another
   /// fixture. Returns the one with a number from CordView::touching or CordView::sensors, or null if it was destroyed
   /// before the last gather or with `destroy`, or forgotten. If it may have been destroyed otherwise since then, use
@@ -209,10 +205,11 @@ class Coupling {
   /// Releases what a body holds and destroys it. Use it for bodies that hold or touch cords. (Otherwise the next gather
   /// notices the destruction, with the exceptions named above.)
   void destroy(b2World& world, b2Body& body);
-  /// Forgets a body that is about to be destroyed, with its grips and fixtures. A b2DestructionListener may call this
-  /// and the next function.
+  /// Forgets a body that is about to be destroyed, with its grips and fixtures. Call it before b2World::DestroyBody:
+  /// Box2D tells a b2DestructionListener of fixtures and joints, not of bodies.
   void forget(const b2Body& body);
-  /// Forgets one fixture. Events of the last step and `fixture` return null for it.
+  /// Forgets one fixture. Events of the last step and `fixture` return null for it. A b2DestructionListener may call
+  /// it.
   void forget(const b2Fixture& fixture);
   /// With true, you promise to call `forget` or `destroy` for every body and fixture before its destruction. Then
   /// gather does not search the world for the bodies that hold cords. Initially false.
@@ -220,9 +217,9 @@ class Coupling {
 
   /// The state that save returns and restore takes.
   using State = CouplingState;
-  /// Returns the state between an apply and the next gather. Inside a tick it returns a usable state too, but ticks
-  /// that continue from it differ from those of this coupling. `world` is the world of the coupling. Grips of destroyed
-  /// bodies are left out. The state does not contain the bodies of Box2D: see WorldSnapshot.
+  /// Returns the state. Call it after apply and before the next gather. Inside a tick it returns a usable state too,
+  /// but ticks that continue from it differ from those of this coupling. `world` is the world of the coupling. Grips of
+  /// destroyed bodies are left out. The state does not contain the bodies of Box2D: see WorldSnapshot.
   State save(const b2World& world) const;
   /// Writes the state into an existing object. It allocates nothing if that object held a state of this coupling before
   /// with the same cords and no fewer grips, bodies, fixtures, contacts and events. O(points + bodies).

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ribbon/cord_forces.h"
+#include "ribbon/pulley.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -137,7 +138,7 @@ void CouplingParts::detach(CordId cord) {
 }
 
 void check_without_pulleys(const CoupledCord& cord) {
-  if (!cord.is_direct() || cord.direct().pulleys().empty()) return;
+  if (!cord.is_direct() || pulleys_of(cord.direct()).empty()) return;
   throw CallError("the cord has pulleys; accepted is one without, to which Coupling::add_pulley adds them");
 }
 

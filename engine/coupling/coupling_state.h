@@ -197,7 +197,7 @@ struct CouplingState {
   std::size_t old_cuts = 0;                  ///< how many of them are of the last tick
   std::vector<SensorMemory> sensor_events;   ///< of the last tick, by cord and fixture
   std::vector<SensorMemory> ending_sensors;  ///< overlaps of cords that are gone, by cord and fixture
-  double medium_time = 0.0;                  ///< s, see Coupling::medium_time
+  double medium_time = 0.0;                  ///< s, see StepView::medium_time
 
   bool operator==(const CouplingState&) const = default;
 };

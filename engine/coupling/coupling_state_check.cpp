@@ -101,7 +101,7 @@ void check_cord(const CouplingState::Cord& from, const CoupledCord& cord, const 
                           std::string(solver_name(cord.solver())));
   }
   if (cord.is_direct()) {
-    cord.direct().check_state(std::get<Cord::State>(from.state));
+    ribbon::check_state(cord.direct(), std::get<Cord::State>(from.state));
   } else {
     cord.thesis().check_state(std::get<ThesisCord::State>(from.state));
   }

@@ -9,6 +9,7 @@
 #include "ribbon/box2d/coupling_parts.h"
 #include "ribbon/box2d/slot.h"
 #include "ribbon/geometry/rotation.h"
+#include "ribbon/pulley.h"
 
 namespace ribbon::box2d {
 namespace {
@@ -66,7 +67,7 @@ void draw_points(const OfSolver& cord, const b2Color& color, b2Draw& draw) {
 }
 
 void draw_wheel(const BodyPulley& pulley, const CoupledCord& cord, b2Draw& draw) {
-  const Pulley& of_cord = cord.direct().pulleys()[static_cast<std::size_t>(pulley.index)];
+  const Pulley& of_cord = pulleys_of(cord.direct())[static_cast<std::size_t>(pulley.index)];
   const b2Vec2 center = pulley.body->GetWorldPoint(pulley.local_anchor);
   const b2Vec2 spoke = to_float(of_cord.def.radius * rotation(of_cord.angle));
   draw.DrawCircle(center, static_cast<float>(of_cord.def.radius), grip_color);

@@ -165,7 +165,7 @@ bool PulleyView::is_valid() const { return parts_->pulleys.find(id_) != nullptr;
 
 PulleyState PulleyView::state() const {
   const BodyPulley& pulley = parts_->pulleys.at(id_);
-  const Pulley& of_cord = parts_->cords.at(pulley.cord).direct().pulleys()[static_cast<std::size_t>(pulley.index)];
+  const Pulley& of_cord = pulleys_of(parts_->cords.at(pulley.cord).direct())[static_cast<std::size_t>(pulley.index)];
   const bool exists = parts_->finder.exists(pulley.seen);  // its body may be destroyed
   return {pulley.cord,
           exists ? to_double(pulley.body->GetWorldPoint(pulley.local_anchor)) : of_cord.def.center,
@@ -237,5 +237,7 @@ int StepView::islands() const { return parts_->islands; }
 std::span<const TouchEvent> StepView::touch_events() const { return parts_->touches.events(); }
 std::span<const SensorEvent> StepView::sensor_events() const { return parts_->sensors.events(); }
 std::span<const CutEvent> StepView::cut_events() const { return parts_->cuts.events(); }
+bool StepView::estimates_errors() const { return parts_->probe.has_value(); }
+double StepView::medium_time() const { return parts_->medium_time; }
 
 }  // namespace ribbon::box2d

@@ -22,14 +22,14 @@ struct CouplingParts;
 /// A cord of a coupling, for reading: a small handle to copy and pass by value. It stays usable while other cords are
 /// added and removed and while the coupling is moved. Do not use it after the coupling is destroyed or another one is
 /// assigned to it. Spans and references are valid until the next step, replace or remove, unless a function says
-/// otherwise. All functions except `id` and `is_valid` throw CallError if the cord has been removed.
+/// otherwise. All functions except `id` and `is_valid` throw CallError if the cord has been removed or cut.
 class CordView {
  public:
   /// Returns the handle of a cord; Coupling::cord calls this.
   CordView(const CouplingParts& parts, CordId id) : parts_(&parts), id_(id) {}
 
   CordId id() const { return id_; }  ///< of the cord
-  /// Returns whether the cord exists: it has been added and not removed.
+  /// Returns whether the cord exists: it has been added, and neither removed nor cut.
   bool is_valid() const;
   Solver solver() const;    ///< the solver of the cord
   CordShape shape() const;  ///< the layout of its points
@@ -119,9 +119,10 @@ class CordRef : public CordView {
   /// Stores a number of yours, such as an index or a pointer. Coupling::restore does not change it, but gives it back
   /// to a cord that it adds again.
   void set_user_data(std::uintptr_t data) const;
-  /// Replaces a cord of the direct solver, and enables it. The id and the user data stay. Bodies that held the old cord
-  /// release it, and its reports are reset. What touched the old cord and does not touch the new one gets an end event
-  /// in the next step. Throws CallError, and changes nothing, for a cord of the thesis's solver.
+  /// Replaces a cord of the direct solver by one without pulleys, and enables it. The id and the user data stay. Bodies
+  /// that held the old cord release it, and its reports are reset. What touched the old cord and does not touch the new
+  /// one gets an end event in the next step. Throws CallError, and changes nothing, for a cord of the thesis's solver
+  /// or with pulleys.
   void replace(Cord cord, const b2Filter& filter = {}) const;
 
  private:
@@ -129,8 +130,8 @@ class CordRef : public CordView {
 };
 
 /// A grip of a coupling, for reading: a small handle like CordView. A grip ends when it is released, when it gives way
-/// (GripDef::lets_go), and when its body or its cord is gone. Then all functions except `id`, `is_valid` and
-/// GripRef::release throw CallError.
+/// (GripDef::lets_go), when its cord is removed, replaced or disabled, and when its body is gone. Then all functions
+/// except `id`, `is_valid` and GripRef::release throw CallError.
 class GripView {
  public:
   /// Returns the handle of a grip; Coupling::grip calls this.
@@ -182,8 +183,8 @@ class TieView {
   TieId id_;
 };
 
-/// A pulley of a coupling, for reading: a small handle like CordView. A pulley ends when it is removed, when a cut goes
-/// through the cord on its wheel, and when its body or its cord is gone. Then `state` throws CallError.
+/// A pulley of a coupling, for reading: a small handle like CordView. Coupling::add_pulley says when a pulley ends.
+/// Then `state` throws CallError.
 class PulleyView {
  public:
   /// Returns the handle of a pulley; Coupling::pulley calls this.
@@ -250,9 +251,14 @@ class StepView {
   /// no longer a sensor, when a filter excludes it, and when ContactListener::should_meet_sensor refuses it. The inside
   /// of a ribbon counts. Without a sensor near a cord it costs nothing. Valid until the next step or restore.
   std::span<const SensorEvent> sensor_events() const;
-  /// Returns the cuts by calls before the last step and by links that broke in it, and behind them those by calls since
-  /// then, in this order. Valid until the next cut, step or restore.
+  /// Returns, in this order: the cuts that calls made between the last two steps, the breaks of links in the last step,
+  /// and the cuts that calls made since. Valid until the next cut, step or restore.
   std::span<const CutEvent> cut_events() const;
+  /// Returns whether errors are estimated; see Coupling::estimate_errors.
+  bool estimates_errors() const;
+  /// Returns the time for which the medium is asked at the start of the next tick: the time that ticks with a medium
+  /// took so far, s. It is part of the state.
+  double medium_time() const;
 
  private:
   const CouplingParts* parts_;

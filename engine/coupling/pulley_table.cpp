@@ -33,7 +33,7 @@ void PulleyTable::remove(PulleyId id, CordTable& cords) {
 
 void PulleyTable::remove_all(CoupledCord& cord) {
   if (!cord.is_direct()) return;
-  while (!cord.direct().pulleys().empty()) remove_pulley(cord.direct(), 0);
+  while (!pulleys_of(cord.direct()).empty()) remove_pulley(cord.direct(), 0);
   std::erase_if(pulleys_, [&cord](const BodyPulley& pulley) { return pulley.cord == cord.id; });
 }
 
@@ -78,7 +78,7 @@ void PulleyTable::drop_unable(BodyFinder& finder, bool trusts_forget, CordTable&
 void PulleyTable::gather(CordTable& cords, const std::function<int(b2Body&)>& index_of) const {
   for (const BodyPulley& pulley : pulleys_) {
     CoupledCord& cord = cords.at(pulley.cord);
-    cord.axles.resize(cord.direct().pulleys().size());
+    cord.axles.resize(pulleys_of(cord.direct()).size());
     const Vec2 axle = to_double(pulley.body->GetWorldPoint(pulley.local_anchor));
     cord.axles[static_cast<std::size_t>(pulley.index)] = {index_of(*pulley.body),
                                                           axle - to_double(pulley.body->GetWorldCenter())};
@@ -89,7 +89,7 @@ void PulleyTable::gather(CordTable& cords, const std::function<int(b2Body&)>& in
 void PulleyTable::follow_cut(CoupledCord& whole, const std::function<CoupledCord*(const Pulley&)>& piece_of) {
   std::erase_if(pulleys_, [&](BodyPulley& pulley) {
     if (pulley.cord != whole.id) return false;
-    const auto all = whole.direct().pulleys();
+    const auto all = pulleys_of(whole.direct());
     const auto index = static_cast<std::size_t>(pulley.index);
     CoupledCord* const piece = piece_of(all[index]);
     if (piece == nullptr) return true;

@@ -116,7 +116,7 @@ void check(const SolverStep& step) {
     check_cord(k, [&cord = step.cords[k], &step] {
       check_points(cord);
       const ribbon::Cord made(cord.def);
-      made.check_state(cord.state);
+      ribbon::check_state(made, cord.state);
       ribbon::check_range("medium", cord.medium, -1, static_cast<double>(step.media.size()) - 1.0);
       ribbon::check_surroundings(
           {{}, cord.circles, cord.grips, cord.segments, cord.axles, nullptr, cord.time, cord.supports},

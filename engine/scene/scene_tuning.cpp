@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "engine/scene/scene_cord.h"
+#include "ribbon/pulley.h"
 
 namespace engine {
 namespace {
@@ -42,7 +43,7 @@ bool same_grid(const ribbon::box2d::CordShape& shape, const CordDefinition& want
 }  // namespace
 
 void retune(ribbon::Cord& cord, ribbon::CordDef def) {
-  if (!cord.pulleys().empty()) {  // its polyline does not have the length of the cord that lies around wheels
+  if (!pulleys_of(cord).empty()) {  // its polyline does not have the length of the cord that lies around wheels
     def.length = cord.def().length;
     def.positions = cord.def().positions;
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "game/lab/scene_list.h"
+#include "ribbon/cord_forces.h"
 
 namespace game::lab {
 namespace {
@@ -69,8 +70,8 @@ void tune_capstan(Bench& bench, const KnobValues& values) {
 
 std::vector<Reading> readings_of_capstan(const Bench& bench, const KnobValues& values) {
   const ribbon::Cord& cord = bench.coupling().cord(0).direct();
-  const double slack = cord.tension(0);
-  const double taut = cord.tension(cord.def().points - 2);
+  const double slack = tension_of(cord, 0);
+  const double taut = tension_of(cord, cord.def().points - 2);
   return {{Reading::Kind::pull_ratio, slack > 0.0 ? taut / slack : std::numeric_limits<double>::quiet_NaN()},
           {Reading::Kind::holding_limit, std::exp(values[Knob::friction] * angle_of(values))},
           {Reading::Kind::unconverged, 1.0 * unconverged(bench)}};

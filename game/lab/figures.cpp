@@ -6,6 +6,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling_state.h"
 #include "ribbon/box2d/state_hash.h"
+#include "ribbon/cord_forces.h"
 
 namespace game::lab {
 
@@ -16,7 +17,7 @@ using ribbon::box2d::to_double;
 namespace {
 
 double energy_of(const CordView& cord, Vec2 gravity) {
-  if (cord.solver() == ribbon::box2d::Solver::direct) return cord.direct().energy(gravity).total();
+  if (cord.solver() == ribbon::box2d::Solver::direct) return energy_of(cord.direct(), gravity).total();
   double sum = 0.0;
   const ribbon::ThesisCord& thesis = cord.thesis();
   for (std::size_t p = 0; p < thesis.positions().size(); ++p) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "game/lab/figures.h"
+#include "ribbon/cord_forces.h"
 
 namespace game::lab {
 
@@ -66,7 +67,7 @@ double excess_length(const Bench& bench) {
   const ribbon::CordDef& def = cord.direct().def();
   double elastic = 0.0;
   for (int link = 0; link + 1 < def.points; ++link) {
-    elastic += cord.direct().tension(link) / def.stretch_stiffness * cord.direct().rest_length(link);
+    elastic += tension_of(cord.direct(), link) / def.stretch_stiffness * cord.direct().rest_length(link);
   }
   return length_now(cord) - def.length - elastic;
 }

@@ -9,6 +9,7 @@
 #include "game/simulation/line.h"
 #include "game/simulation/player.h"
 #include "game/simulation/tether.h"
+#include "ribbon/pulley.h"
 
 namespace game {
 namespace {
@@ -116,7 +117,7 @@ void check_tether(const Level& level, const MapObject& player_2, const engine::S
     throw player_2.error(named + "; accepted is the id of a cord of the direct solver with one row");
   const auto points = coupling.cord(*cord).positions();
   // What holds it would be lost where the cord is laid anew for players that were put elsewhere.
-  bool is_free = coupling.cord(*cord).direct().pulleys().empty();
+  bool is_free = pulleys_of(coupling.cord(*cord).direct()).empty();
   for (int p = 0; p < static_cast<int>(points.size()); ++p) {
     is_free = is_free && coupling.cord(*cord).kind(p) == ribbon::PointKind::free;
   }

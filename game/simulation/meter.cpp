@@ -36,9 +36,9 @@ void Meter::add(const Simulation& simulation, std::int64_t nanoseconds) {
     if (static_cast<std::size_t>(c) >= cords_.size()) cords_.resize(static_cast<std::size_t>(c) + 1);
     CordFigures& cord = cords_[static_cast<std::size_t>(c)];
     cord.peak_stretch = std::max(cord.peak_stretch, length_of(coupling, c) / rest_length_of(coupling, c) - 1.0);
-    if (coupling.estimates_errors()) cord.errors[estimated_ % estimates] = coupling.cord(c).error();
+    if (coupling.last_step().estimates_errors()) cord.errors[estimated_ % estimates] = coupling.cord(c).error();
   }
-  if (coupling.estimates_errors()) {
+  if (coupling.last_step().estimates_errors()) {
     ++estimated_;
   } else {
     recent_us_[timed_++ % window_ticks] = 1e-3 * static_cast<double>(nanoseconds);

@@ -47,7 +47,6 @@ void Pen::stamp(const Image& image, Vec2 center, Vec2 size, Color color) {
   const double u = 1.0 * width / made.image.width();
   const double v = 1.0 * height / made.image.height();
   mesh.clear();
-  constexpr Color white{255, 255, 255};
   add_rectangle(mesh, corner, {1.0 * width, 1.0 * height}, white, white, {u, v});
   canvas.textured(mesh, {&made.image, Filter::nearest, Wrap::clamp, Wrap::clamp});
 }

@@ -78,6 +78,7 @@ class CompliantContacts {
   };
   void load_normal(const ContactState& state, const ActiveContact& contact, double predicted, BlockLdlt& matrix,
                    std::span<Vec2> force);
+  /// Returns whether a contact sticks or slips in the next linear solve, and its row there; at most `max_force` [N].
   Friction friction(const ContactState& state, const ActiveContact& contact, double max_force);
 
   std::vector<SlotRow> normal_rows_;  // of the active contacts, of the last linear solve

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/momentum.h"
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
@@ -131,7 +132,7 @@ void EnergyGuard::store(const IslandState& state) const {
   }
 }
 
-Cord::Energy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
+CordEnergy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
   Energy sum;
   sum.elastic = wheel_energy(state) + support_energy(state);
   sum.potential = wheel_load_energy(state);

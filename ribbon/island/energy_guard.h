@@ -2,6 +2,7 @@
 
 #include "ribbon/contact/contacts.h"
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/system/island_state.h"
 
 namespace ribbon {
@@ -11,7 +12,7 @@ namespace ribbon {
 /// Where all that drives moves with one velocity, energy is measured in the inertial frame in which it rests.
 class EnergyGuard {
  public:
-  using Energy = Cord::Energy;
+  using Energy = CordEnergy;
   /// Gain of a substep that is tolerated, as a share of the scene's energy.
   static constexpr double tolerated_gain = 5e-4;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/momentum.h"
 
 namespace ribbon {
@@ -66,7 +67,7 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution, 
   ++work.report.posed;
   work.begin_linearised();
   context.begin_substep(0.0, state.dt);
-  const Cord::Energy before = context.energy_before();
+  const CordEnergy before = context.energy_before();
   contact_energy_ = context.contacts.energy_of_forces();
   is_impact_ = impact_is_due_ = was_pushed_ = false;
   double time = 0.0;
@@ -100,7 +101,7 @@ bool LinearisedStep::take_truncated(const StepContext& context, Restitution& res
   IslandState& state = context.state;
   context.work.begin_linearised();
   context.begin_substep(0.0, state.dt);
-  const Cord::Energy before = context.energy_before();
+  const CordEnergy before = context.energy_before();
   contact_energy_ = context.contacts.energy_of_forces();
   was_pushed_ = false;
   const Piece taken = take_piece(context, 0.0, state.dt, ContactSolve::truncated);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/integrators.h"
 #include "ribbon/island/restitution.h"
 #include "ribbon/island/rollback.h"
@@ -26,7 +27,7 @@ class LinearisedStep {
   struct Piece {
     bool solved;
     LinearisedResult result;
-    Cord::Energy before;
+    CordEnergy before;
     bool truncated;
   };
   double next_piece(const StepContext& context, double time, double left);

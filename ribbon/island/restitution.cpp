@@ -1,4 +1,5 @@
 #include "ribbon/island/restitution.h"
+#include "ribbon/cord_forces.h"
 
 namespace ribbon {
 namespace {
@@ -8,7 +9,7 @@ constexpr double min_share = 0.1;  // of the impulse: one that has to be less is
 
 }  // namespace
 
-void Restitution::apply(const StepContext& context, const Cord::Energy& before, double dt) {
+void Restitution::apply(const StepContext& context, const CordEnergy& before, double dt) {
   IslandState& state = context.state;
   if (!context.contacts.begin_restitution(state.positions, state.start.velocities, state.velocities, dt)) return;
   const std::vector<Vec2>* change = context.stages.find_restitution(state, context.contacts, dt);

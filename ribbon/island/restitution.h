@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/step_context.h"
 
 namespace ribbon {
@@ -13,7 +14,7 @@ class Restitution {
  public:
   void resize(std::size_t slots) { velocities_.resize(slots); }
   /// Changes the velocities, by less if the energy has risen since `before`.
-  void apply(const StepContext& context, const Cord::Energy& before, double dt);
+  void apply(const StepContext& context, const CordEnergy& before, double dt);
 
  private:
   std::vector<Vec2> velocities_;  // before restitution

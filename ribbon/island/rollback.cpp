@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/momentum.h"
 #include "ribbon/system/stretch.h"
 
@@ -21,7 +22,7 @@ void Rollback::resize(std::size_t slots, std::size_t tensions) {
   offsets_.resize(tensions);
 }
 
-bool Rollback::apply(const StepContext& context, const Cord::Energy& before, bool truncated) {
+bool Rollback::apply(const StepContext& context, const CordEnergy& before, bool truncated) {
   IslandState& state = context.state;
   // Of a way that drives make, nothing can be taken back. Belts make none, but give an energy that is not known.
   if (state.frame_velocity != Vec2{} || EnergyGuard::is_moved(state, context.contacts)) return limit_speeds(state);

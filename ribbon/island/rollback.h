@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/step_context.h"
 
 namespace ribbon {
@@ -16,7 +17,7 @@ class Rollback {
   /// piece. While something drives the island, energy tells nothing, and only speeds are limited. After a truncated
   /// solve the contacts forget their forces, and energy is taken back whatever was stretched before. Returns whether
   /// something was changed.
-  bool apply(const StepContext& context, const Cord::Energy& before, bool truncated);
+  bool apply(const StepContext& context, const CordEnergy& before, bool truncated);
   /// Sets the tensions of extensible cords to those of their shapes, as far as the piece has changed these. The
   /// tensions of a solve that was truncated or did not end, or of which something was stopped, belong to other shapes,
   /// and have another energy.

@@ -4,6 +4,7 @@
 
 #include "ribbon/collision/motion_bounds.h"
 #include "ribbon/contact/contacts.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/energy_guard.h"
 #include "ribbon/stage/stage_solver.h"
 #include "ribbon/stage/step_work.h"
@@ -48,10 +49,8 @@ struct StepContext {
     }
   }
   /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.
-  Cord::Energy energy_before() const {
-    return state.driven ? Cord::Energy{} : EnergyGuard::total_energy(state, contacts);
-  }
-  bool gained_energy(const Cord::Energy& before, double tolerated) const {
+  CordEnergy energy_before() const { return state.driven ? CordEnergy{} : EnergyGuard::total_energy(state, contacts); }
+  bool gained_energy(const CordEnergy& before, double tolerated) const {
     return guard.gained_energy(state, contacts, before, tolerated);
   }
 };

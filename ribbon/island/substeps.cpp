@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/momentum.h"
 
 namespace ribbon {
@@ -42,7 +43,7 @@ void Substeps::resize(std::size_t slots, std::size_t tensions) {
 bool Substeps::take(const StepContext& context, double time, double dt, Restitution& restitution) {
   context.contacts.impacts.scale_impulses(0.0);
   context.begin_substep(time, dt);
-  const Cord::Energy before = context.energy_before();
+  const CordEnergy before = context.energy_before();
   if (!take_second_order(context, time, dt, before)) {
     if (take_damped(context, time, dt, before)) {
       context.guard.remove_spurious_motion(context.state, context.contacts, before);
@@ -57,7 +58,7 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   return true;
 }
 
-void Substeps::end(const StepContext& context, const Cord::Energy& before, double dt, Restitution& restitution) {
+void Substeps::end(const StepContext& context, const CordEnergy& before, double dt, Restitution& restitution) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   context.guard.measure(state, contacts);
@@ -76,7 +77,7 @@ void Substeps::end(const StepContext& context, const Cord::Energy& before, doubl
 /// integrator bounces where a contact or the push of a support begins or ends, or where the cord draws back a body that
 /// was pushed off it. There implicit Euler goes first and BDF2 follows. Returns false, at the start of the substep, if
 /// it has to be redone by implicit Euler.
-bool Substeps::take_second_order(const StepContext& context, double time, double dt, const Cord::Energy& before) {
+bool Substeps::take_second_order(const StepContext& context, double time, double dt, const CordEnergy& before) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
@@ -99,7 +100,7 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
 }
 
 /// Returns whether the substep converged and gained no energy. If not, it returns to the start.
-bool Substeps::accept(const StepContext& context, bool converged, const Cord::Energy& before) {
+bool Substeps::accept(const StepContext& context, bool converged, const CordEnergy& before) {
   if (converged && !is_thrown(context.state) && !context.gained_energy(before, EnergyGuard::tolerated_gain))
     return true;
   IslandReport& report = context.work.report;
@@ -111,7 +112,7 @@ bool Substeps::accept(const StepContext& context, bool converged, const Cord::En
 
 /// Takes the substep with implicit Euler. Where nothing may touch or slip, or with a large budget of work, it is halved
 /// if it does not converge. Returns false if it is not solved.
-bool Substeps::take_damped(const StepContext& context, double time, double dt, const Cord::Energy& before) {
+bool Substeps::take_damped(const StepContext& context, double time, double dt, const CordEnergy& before) {
   const auto& held = context.state.held;
   const bool may_slip = std::any_of(held.begin(), held.end(), [](const HeldBody& body) { return body.may_slip(); });
   if ((context.contacts.empty() && !may_slip) || context.work.has_large_budget()) {
@@ -123,7 +124,7 @@ bool Substeps::take_damped(const StepContext& context, double time, double dt, c
 
 /// In a stiff cord the error that the tolerance leaves, times a tension, can be energy too. Then all of the substep is
 /// redone to a hundredth of the tolerance, in the end by halves.
-bool Substeps::take_halved(const StepContext& context, double time, double dt, const Cord::Energy& before) {
+bool Substeps::take_halved(const StepContext& context, double time, double dt, const CordEnergy& before) {
   IslandState& state = context.state;
   StepWork& work = context.work;
   const double tolerance = state.tolerance;

@@ -1,18 +1,19 @@
 #pragma once
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/island/integrators.h"
 #include "ribbon/island/restitution.h"
 #include "ribbon/island/step_context.h"
 
 namespace ribbon {
 
-/// Takes one substep: with the declared integrator and, where that does not converge or gains energy, with implicit
-/// Euler.
+/// Takes one substep: with the declared integrator; where that does not converge or gains energy, with implicit Euler;
+/// where that does not converge either, in halves.
 class Substeps {
  public:
   void resize(std::size_t slots, std::size_t tensions);
-  /// Takes the substep that begins `time` seconds after the start of the step. Returns false if it did not converge and
-  /// LinearisedStep has to take the whole step.
+  /// Takes the substep that begins `time` seconds after the start of the step. Returns false if it did not converge;
+  /// then Island::step takes the whole step again.
   bool take(const StepContext& context, double time, double dt, Restitution& restitution);
 
  private:
@@ -23,13 +24,13 @@ class Substeps {
     bool gave_up = false;  // part of it is not solved
   };
 
-  bool take_second_order(const StepContext& context, double time, double dt, const Cord::Energy& before);
-  bool take_damped(const StepContext& context, double time, double dt, const Cord::Energy& before);
-  bool take_halved(const StepContext& context, double time, double dt, const Cord::Energy& before);
+  bool take_second_order(const StepContext& context, double time, double dt, const CordEnergy& before);
+  bool take_damped(const StepContext& context, double time, double dt, const CordEnergy& before);
+  bool take_halved(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool halve(const StepContext& context, double time, double dt);
   void take_halves(const StepContext& context, double time, double dt, int depth, Halving& halving);
-  static bool accept(const StepContext& context, bool converged, const Cord::Energy& before);
-  static void end(const StepContext& context, const Cord::Energy& before, double dt, Restitution& restitution);
+  static bool accept(const StepContext& context, bool converged, const CordEnergy& before);
+  static void end(const StepContext& context, const CordEnergy& before, double dt, Restitution& restitution);
 
   Integrators integrators_;
   SubstepStart whole_;  // start of a substep that is being halved

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/elastic/chain.h"
 #include "ribbon/elastic/lattice.h"
 
@@ -154,8 +155,8 @@ Vec2 CordParts::holding_force(std::size_t point, Vec2 gravity) const {
   return -others;
 }
 
-Cord::Energy CordParts::energy(Vec2 gravity) const {
-  Cord::Energy sum;
+CordEnergy CordParts::energy(Vec2 gravity) const {
+  CordEnergy sum;
   sum.elastic = elasticity->energy(motion_of_tensions(), state.tensions);
   for (std::size_t p = 0; p < size(); ++p) {
     sum.kinetic += 0.5 * state.masses[p] * dot(state.velocities[p], state.velocities[p]);

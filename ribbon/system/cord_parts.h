@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/cord_sweep.h"
 #include "ribbon/elastic/elasticity.h"
 
@@ -43,8 +44,8 @@ struct CordParts {
   /// Returns the positions, and the velocities whose damping the tensions include.
   Motion motion_of_tensions() const;
   /// Returns the energies under `gravity` [m/s²].
-  Cord::Energy energy(Vec2 gravity) const;
-  /// Returns the tension of a link, N; see Cord::tension.
+  CordEnergy energy(Vec2 gravity) const;
+  /// Returns the tension of a link, N; see tension_of.
   double tension(std::size_t link) const;
   /// Returns the force that moves a driven point as it moves; see reaction().
   Vec2 holding_force(std::size_t point, Vec2 gravity) const;

@@ -38,7 +38,7 @@ struct Circle {
   int point = -1;      ///< point of the cord that the circle belongs to; −1 for a rigid circle
 };
 
-/// Tests a circle against one triangle: Goto 2017, Eqs. 3.22–3.25, with the depth r − |C − T_c|, positive in contact. A
+/// Tests a circle against one triangle: Goto 2017, Eqs. 3.22–3.24, with the depth r − |C − T_c|, positive in contact. A
 /// centre inside the triangle leaves the cord through the nearest point of the outer boundary, except for boundary
 /// edges within 2 columns of the circle's own point.
 std::optional<Contact> find_contact(const Mesh& mesh, const Triangle& triangle, std::span<const Vec2> positions,
@@ -47,7 +47,7 @@ std::optional<Contact> find_contact(const Mesh& mesh, const Triangle& triangle, 
 /// Radii of what is pushed, the most that a contact moves it by in a substep. More would throw a crumpled cord apart.
 inline constexpr double max_push_in_radii = 0.5;
 
-/// Resolves at most `max_push` [m] of a contact: Eqs. 3.26 and 3.27 with the weights as masses, m_c = 1/w_c and
+/// Resolves at most `max_push` [m] of a contact: Eqs. 3.25–3.27 with the weights as masses, m_c = 1/w_c and
 /// m_t = 1/Σ b_j²·w_j, each side moving by the other's share. Moves the points of the cord by −λ·b_j·w_j·d and returns
 /// λ [kg·m]; the caller moves the circle by λ·w_c·d. Returns 0 if neither side can move.
 double push_apart(const Contact& contact, double inverse_mass_circle, double max_push,

@@ -75,7 +75,7 @@ class Machine {
       const Cord& cord = coupling.cord(id).direct();
       if (std::isfinite(cord.def().stretch_stiffness)) continue;
       for (int link = 0; link + 1 < cord.size(); ++link) {
-        const bool on_wheel = std::any_of(cord.pulleys().begin(), cord.pulleys().end(), [link](const auto& pulley) {
+        const bool on_wheel = std::any_of(pulleys_of(cord).begin(), pulleys_of(cord).end(), [link](const auto& pulley) {
           return link >= pulley.def.before && link < pulley.def.after;
         });
         const auto p = static_cast<std::size_t>(link);

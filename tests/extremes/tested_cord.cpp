@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/elastic/cell.h"
 #include "tests/support/slot.h"
 #include "tests/support/thesis_scenes.h"
@@ -160,7 +161,7 @@ double TestedCord::total_mass() const {
 }
 
 double TestedCord::energy(Vec2 gravity) const {
-  if (direct_) return direct_->energy(gravity).total();
+  if (direct_) return energy_of(*direct_, gravity).total();
   double sum = test_support::kinetic_energy(*thesis_);
   const auto x = positions();
   for (const Vec2 p : x) sum -= thesis_->def().point_mass * dot(gravity, p);

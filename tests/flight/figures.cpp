@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/replay/cord_extremes.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
 #include "ribbon/system/held_body.h"
@@ -155,7 +156,7 @@ Figures figures_of(const engine::SolverStep& step, const std::vector<Cord>& cord
     if (k == 0 || stretch > figures.stretch) figures.stretch = stretch, figures.stretched_cord = index;
     take_depth_in_bodies(step.cords[k], cord, index, places, figures);
     figures.speed = std::max(figures.speed, engine::largest_speed(cord));
-    figures.energy += cord.energy(step.gravity).total();
+    figures.energy += energy_of(cord, step.gravity).total();
     for (const ribbon::Grip& grip : step.cords[k].grips) {
       figures.grip_gap = std::max(figures.grip_gap, gap_of(grip, cord, places, moved));
     }

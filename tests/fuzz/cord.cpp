@@ -2,6 +2,7 @@
 // the cord is finite, has gained no energy without a cause, and equals a restored copy after the same step.
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/weather.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ class Fuzzed {
   void restore();
   void corrupt(Cord::State& state);
   int point() { return bytes_.integer(0, cord_.size() - 1); }
-  void require_no_gain(double before, double after, const Cord::Energy& then) const;
+  void require_no_gain(double before, double after, const ribbon::CordEnergy& then) const;
 
   Bytes& bytes_;
   Cord cord_;
@@ -109,7 +110,7 @@ void Fuzzed::step(const ribbon::Surroundings& surroundings) {
     copy.emplace(cord_.def());
     copy->restore(cord_.save());
   }
-  const Cord::Energy before = cord_.energy(gravity);
+  const ribbon::CordEnergy before = energy_of(cord_, gravity);
   ribbon::IslandReport report;
   if (!accepts(cord_, [&] { report = cord_.step(dt, gravity, surroundings); })) return;
   fuzz::require_finite(cord_);
@@ -117,13 +118,13 @@ void Fuzzed::step(const ribbon::Surroundings& surroundings) {
   if (!surroundings.bodies.empty()) return;
   require(!copy || (copy->step(dt, gravity, surroundings) == report && copy->save() == cord_.save()),
           "a restored cord continues with the same bits");
-  const Cord::Energy after = cord_.energy(gravity);
+  const ribbon::CordEnergy after = energy_of(cord_, gravity);
   if (!driven_ && report.unlocked == 0 && report.unconverged == 0)
     require_no_gain(before.total(), after.total(), after);
 }
 
 /// Allows 5 % of the energy's scale, for the energy guard, and the rounding error of positions far from the origin.
-void Fuzzed::require_no_gain(double before, double after, const Cord::Energy& then) const {
+void Fuzzed::require_no_gain(double before, double after, const ribbon::CordEnergy& then) const {
   double mass = 0.0;
   for (int p = 0; p < cord_.size(); ++p) mass += cord_.mass(p);
   const double scale = mass * 100.0 * cord_.def().length + then.kinetic + then.elastic;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "tests/support/constants.h"
 #include "tests/support/hanging.h"
 #include "tests/support/points.h"
@@ -56,7 +57,7 @@ TEST(CordReel, AddsExactlyTheWorkOfTheWinch) {
   cord.step(1.0 / 240.0, gravity);
   cord.reel(0, 20, 2.0, 0.5);
   double work = 0.0;
-  double before = cord.energy(gravity).total();
+  double before = energy_of(cord, gravity).total();
   const double start = before;
   for (int k = 0; k < 4 * 240; ++k) {
     std::vector<double> rest;
@@ -68,7 +69,7 @@ TEST(CordReel, AddsExactlyTheWorkOfTheWinch) {
       work += 0.5 * (pull[e] + cord.tensions()[e]) * (rest[e] - cord.rest_length(i));
     }
   }
-  const double gained = cord.energy(gravity).total() - start;
+  const double gained = energy_of(cord, gravity).total() - start;
   EXPECT_GT(gained, 20.0 * 9.81 * 1.0);
   EXPECT_NEAR(gained / work, 1.0, 0.02);
 }
@@ -98,10 +99,10 @@ TEST(CordReel, StartsReversesAndStopsWithoutAJerk) {
   // The fall is limited by the winch: 3 m/s up, and 3 m/s plus g/3 s down.
   EXPECT_LT(fastest, 3.0 + 9.81 / 3.0 + 0.5);
   EXPECT_EQ(report.unconverged, 0);
-  double last = cord.energy(gravity).total();
+  double last = energy_of(cord, gravity).total();
   for (int k = 0; k < 300; ++k) {
     cord.step(1.0 / 60.0, gravity);
-    const double now = cord.energy(gravity).total();
+    const double now = energy_of(cord, gravity).total();
     EXPECT_LE(now, last + 1e-3 * 301.0 * 9.81 * 3.0);
     last = std::min(last, now);
   }
@@ -238,10 +239,10 @@ TEST(CordDragged, APinThatStopsByItselfStopsTheCordSmoothly) {
 
 TEST(CordLoad, PotentialIsTheWorkDone) {
   Cord cord(hanging(3, 1.0));
-  const double before = cord.energy({}).potential;
+  const double before = energy_of(cord, {}).potential;
   cord.set_load(2, {3.0, -4.0});
   EXPECT_EQ(before, 0.0);
-  EXPECT_NEAR(cord.energy({}).potential, -(-4.0 * -1.0), 1e-12);
+  EXPECT_NEAR(energy_of(cord, {}).potential, -(-4.0 * -1.0), 1e-12);
 }
 
 TEST(CordAccuracy, AChangeTakesEffectInTheNextStep) {
@@ -269,7 +270,7 @@ TEST(CordAccuracy, AChangeTakesEffectInTheNextStep) {
 /// Returns the energy of a cord and its loads in the inertial frame that moves at `velocity` [m/s] and was at the
 /// origin at the time 0, J.
 double energy_in_frame(const Cord& cord, Vec2 velocity, double time) {
-  const Cord::Energy energy = cord.energy(gravity);
+  const CordEnergy energy = energy_of(cord, gravity);
   double sum = energy.elastic;
   for (int p = 0; p < cord.def().points; ++p) {
     const auto k = static_cast<std::size_t>(p);

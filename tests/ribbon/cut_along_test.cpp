@@ -59,7 +59,7 @@ TEST(CutAlong, KeepsTheEnergyOfASolidStrip) {
       def.area_stiffness = 1.0;
       const Cord cord = swinging_ribbon(def);
       const Sums before = sums_of(cord, gravity);
-      EXPECT_GT(cord.energy(gravity).elastic, 1e-4);
+      EXPECT_GT(energy_of(cord, gravity).elastic, 1e-4);
       for (int row = 1; row + 1 < rows; ++row) {
         const CutPieces pieces = cut(cord, cut_along(cord, row));
         EXPECT_EQ(pieces.first->def().rows + pieces.second->def().rows, rows + 1);
@@ -141,7 +141,7 @@ TEST(CutAlong, APieceOfTwoRowsHasASpineToo) {
                     strip.positions()[static_cast<std::size_t>(strip.index(12, j))] + Vec2{0.012, 0});
   }
   for (int k = 0; k < 100; ++k) strip.step(dt, {});
-  EXPECT_NEAR(strip.tension(6), 0.01 * half.stretch_stiffness, 1e-3);
+  EXPECT_NEAR(tension_of(strip, 6), 0.01 * half.stretch_stiffness, 1e-3);
   EXPECT_TRUE(says(refusal<DefinitionError>([&] {
                      stretched.cell_stiffness = 2.0 * stretched.stretch_stiffness;
                      check(stretched);
@@ -253,7 +253,7 @@ TEST(BreakingForce, OfAHangingRibbonIsTheWeightBelow) {
       for (int k = 0; k < 300; ++k) cord.step(dt, gravity);
       for (int link = 0; link < 20; ++link) {
         const double weight = 0.5 * 9.81 * (1.95 - 0.1 * link);
-        EXPECT_NEAR(cord.tension(link), weight, 1e-3 * weight) << rows << ' ' << link;
+        EXPECT_NEAR(tension_of(cord, link), weight, 1e-3 * weight) << rows << ' ' << link;
       }
     }
   }
@@ -285,9 +285,9 @@ TEST(BreakingForce, ALinkInShearOrUnderCompressionIsNotOverloaded) {
   for (Vec2& x : def.positions) x.y = 0.97 * x.y;
   def.breaking_force = 1e-3;
   const Cord cord(def);
-  EXPECT_LT(cord.tension(5), -1.0);
+  EXPECT_LT(tension_of(cord, 5), -1.0);
   EXPECT_EQ(overloaded_link(cord), std::nullopt);
-  EXPECT_EQ(refusal<DefinitionError>([&] { (void)cord.tension(20); }), "link is 20; accepted is 0 to 19");
+  EXPECT_EQ(refusal<DefinitionError>([&] { (void)tension_of(cord, 20); }), "link is 20; accepted is 0 to 19");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/cut.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/geometry/rotation.h"
@@ -99,7 +100,7 @@ TEST(Pulley, KeepsTheEnergyAndTheLength) {
   Machine machine(Atwood{});
   const auto energy = [&machine] {
     const double wheel = 0.5 * 0.5 * machine.pulley().turning * machine.pulley().turning;
-    return machine.cord.energy(gravity).total() + wheel;
+    return energy_of(machine.cord, gravity).total() + wheel;
   };
   const double before = energy();
   const double length_before = machine.cord.def().length;
@@ -335,18 +336,18 @@ TEST(Pulley, GoesToThePieceThatHasIt) {
   Machine machine(Atwood{});
   machine.step(10);
   const Cord& cord = machine.cord;
-  const int after = cord.pulleys()[0].def.after;
+  const int after = pulleys_of(cord)[0].def.after;
   CutPieces pieces = cut(cord, cut_through(cord, 50));
   ASSERT_TRUE(pieces.first && pieces.second);
-  ASSERT_EQ(pieces.first->pulleys().size(), 1U);
-  EXPECT_EQ(pieces.first->pulleys()[0].def.after, after);
-  EXPECT_TRUE(pieces.second->pulleys().empty());
+  ASSERT_EQ(pulleys_of(*pieces.first).size(), 1U);
+  EXPECT_EQ(pulleys_of(*pieces.first)[0].def.after, after);
+  EXPECT_TRUE(pulleys_of(*pieces.second).empty());
   pieces = cut(cord, cut_through(cord, 5));
-  ASSERT_EQ(pieces.second->pulleys().size(), 1U);
-  EXPECT_EQ(pieces.second->pulleys()[0].def.after, after - 6);
+  ASSERT_EQ(pulleys_of(*pieces.second).size(), 1U);
+  EXPECT_EQ(pulleys_of(*pieces.second)[0].def.after, after - 6);
   pieces = cut(cord, cut_through(cord, 30));  // on the wheel
-  EXPECT_TRUE(pieces.first->pulleys().empty());
-  EXPECT_TRUE(pieces.second->pulleys().empty());
+  EXPECT_TRUE(pulleys_of(*pieces.first).empty());
+  EXPECT_TRUE(pulleys_of(*pieces.second).empty());
 }
 
 TEST(Pulley, FallsWhenTheCordIsTakenOff) {
@@ -374,7 +375,7 @@ TEST(Pulley, RefusesWhatIsOutOfRange) {
     add_pulley(cord, {.center = {3.0, -2.0}, .radius = 0.1, .before = 9, .after = 12});
   });
   EXPECT_NE(misfit.find("does not fit a path of"), std::string::npos) << misfit;
-  EXPECT_TRUE(cord.pulleys().empty());
+  EXPECT_TRUE(pulleys_of(cord).empty());
   Machine machine(Atwood{});
   EXPECT_NE(
       refusal<std::exception>([&] { add_pulley(machine.cord, machine.pulley().def); }).find("are on another wheel"),

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/cut.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/geometry/rotation.h"
@@ -35,11 +36,11 @@ struct Tackle {
   /// Returns the kinetic energy of all, J.
   double kinetic() const {
     const RigidBody& block = blocks[1];
-    return cord.energy(gravity).kinetic + 0.5 / block.inverse_mass * dot(block.velocity, block.velocity);
+    return energy_of(cord, gravity).kinetic + 0.5 / block.inverse_mass * dot(block.velocity, block.velocity);
   }
   /// Returns the energy of all, J.
   double energy() const {
-    return cord.energy(gravity).potential + kinetic() + g / blocks[1].inverse_mass * blocks[1].position.y;
+    return energy_of(cord, gravity).potential + kinetic() + g / blocks[1].inverse_mass * blocks[1].position.y;
   }
   void step(int times) {
     const std::vector<Axle> axles = test_support::axles_of_tackle();
@@ -66,14 +67,14 @@ TEST(Pulley, DividesALoadInATackle) {
   Tackle balance(10.0);
   balance.step(120);
   EXPECT_NEAR(balance.blocks[1].position.y, test_support::moving_block.y, 1e-4);
-  EXPECT_NEAR(balance.cord.pulleys()[0].tension_before / (10.0 * g), 1.0, 1e-3);
+  EXPECT_NEAR(pulleys_of(balance.cord)[0].tension_before / (10.0 * g), 1.0, 1e-3);
   for (const Accuracy& accuracy : {Accuracy::fast(), Accuracy::balanced(), Accuracy::accurate()}) {
     Tackle lifting(11.0, 40.0, accuracy);
     lifting.step(120);
     const double a = g * (44.0 - 40.0) / (16.0 * 11.0 + 40.0);  // of the load
     EXPECT_NEAR(lifting.blocks[1].velocity.y / (2.0 * a), 1.0, 1e-3);
     EXPECT_NEAR(-lifting.cord.velocities().front().y / (8.0 * a), 1.0, 1e-3);
-    for (const Pulley& pulley : lifting.cord.pulleys()) {
+    for (const Pulley& pulley : pulleys_of(lifting.cord)) {
       EXPECT_NEAR(pulley.tension_after / (11.0 * (g - 4.0 * a)), 1.0, 2e-3);
     }
     EXPECT_NEAR(lifting.blocks[1].position.x, test_support::moving_block.x, 1e-3);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/direct_solver.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/tie.h"
@@ -63,7 +64,7 @@ struct TiedCords {
   }
   double energy() const {
     double sum = 0.0;
-    for (const Cord& cord : cords) sum += cord.energy(constants::gravity).total();
+    for (const Cord& cord : cords) sum += energy_of(cord, constants::gravity).total();
     return sum;
   }
 };

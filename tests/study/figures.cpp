@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/cord_forces.h"
 
 namespace study {
 namespace {
@@ -100,7 +101,7 @@ Figures figures_of(const b2World& world, const ribbon::box2d::Coupling& coupling
       continue;
     }
     const ribbon::Cord& cord = coupling.cord(c).direct();
-    figures.energy += cord.energy(gravity).total();
+    figures.energy += energy_of(cord, gravity).total();
     figures.tension = greater(figures.tension, tension_of(cord));
     const double radius = cord.def().radius;
     if (radius == 0.0) continue;

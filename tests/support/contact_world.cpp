@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/geometry/separation.h"
 #include "ribbon/system/held_body.h"
@@ -113,7 +114,7 @@ double ContactWorld::stretch() const {
 }
 
 double ContactWorld::energy() const {
-  double sum = cord.energy(gravity).total();
+  double sum = energy_of(cord, gravity).total();
   for (const RigidBody& body : bodies) {
     if (body.inverse_mass == 0.0) continue;
     sum += (0.5 * dot(body.velocity, body.velocity) - dot(body.acceleration, body.position)) / body.inverse_mass;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ribbon/cord.h"
+#include "ribbon/cord_forces.h"
 #include "ribbon/cut.h"
 
 namespace test_support {
@@ -20,7 +21,7 @@ struct Sums {
       momentum += cord.mass(p) * v;
       turning += cord.mass(p) * cross(x, v);
     }
-    energy += cord.energy(gravity).total();
+    energy += energy_of(cord, gravity).total();
   }
 };
 

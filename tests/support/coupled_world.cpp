@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/cord_forces.h"
 #include "tests/support/contact_figures.h"
 #include "tests/support/shape_world.h"
 
@@ -236,7 +237,7 @@ double CoupledWorld::energy() const {
   double sum = 0.0;
   for (int c = 0; c < coupling.size(); ++c) {
     sum += method_.thesis ? energy_of(coupling.cord(c).thesis(), gravity)
-                          : coupling.cord(c).direct().energy(gravity).total();
+                          : energy_of(coupling.cord(c).direct(), gravity).total();
   }
   for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     if (body->GetType() != b2_dynamicBody) continue;

@@ -1,4 +1,5 @@
 #include "tests/support/heavy_swing.h"
+#include "ribbon/cord_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ ribbon::Cord heavy_swing(double stiffness, const ribbon::Accuracy& accuracy) {
 HeavySwingRun run_heavy_swing(double stiffness, const ribbon::Accuracy& accuracy) {
   ribbon::Cord cord = heavy_swing(stiffness, accuracy);
   const Vec2 gravity{0.0, -9.81};
-  const double start = cord.energy(gravity).total();
+  const double start = energy_of(cord, gravity).total();
   HeavySwingRun run;
   for (int tick = 0; tick < 300; ++tick) {
     run.report += cord.step(1.0 / 60.0, gravity);
@@ -31,7 +32,7 @@ HeavySwingRun run_heavy_swing(double stiffness, const ribbon::Accuracy& accuracy
     }
     run.peak_stretch = std::max(run.peak_stretch, sum / cord.def().length - 1.0);
   }
-  run.lost_energy = (start - cord.energy(gravity).total()) / (71.0 * 9.81 * 10.0);
+  run.lost_energy = (start - energy_of(cord, gravity).total()) / (71.0 * 9.81 * 10.0);
   return run;
 }
 

@@ -34,7 +34,7 @@ struct Machine {
     const ribbon::Axle axle{0, {}};
     ribbon::Surroundings surroundings;
     surroundings.bodies = {&wall, 1};
-    surroundings.axles = {&axle, static_cast<std::size_t>(cord.pulleys().empty() ? 0 : 1)};
+    surroundings.axles = {&axle, static_cast<std::size_t>(pulleys_of(cord).empty() ? 0 : 1)};
     for (int k = 0; k < times; ++k) {
       const ribbon::IslandReport report = cord.step(1.0 / 60.0, {0.0, -9.81}, surroundings);
       unconverged += report.unconverged;
@@ -43,7 +43,7 @@ struct Machine {
   }
   /// Returns how far the last point has fallen, m.
   double fall() const { return atwood.wheel.center.y - atwood.depth - cord.positions().back().y; }
-  const ribbon::Pulley& pulley() const { return cord.pulleys()[0]; }
+  const ribbon::Pulley& pulley() const { return pulleys_of(cord)[0]; }
 
   Atwood atwood;
   ribbon::RigidBody wall;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ribbon/cord_forces.h"
 #include "ribbon/thesis/thesis_cord.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
@@ -31,7 +32,7 @@ class CordSwing final : public Swing {
   }
 
   std::vector<Vec2> path() const override { return {cord_.positions().begin(), cord_.positions().end()}; }
-  double energy() override { return cord_.energy(gravity).total(); }
+  double energy() override { return energy_of(cord_, gravity).total(); }
   std::optional<int> unconverged() const override { return unconverged_; }
   std::optional<std::int64_t> work() const override { return work_; }
 

@@ -4,6 +4,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/cord_forces.h"
 #include "tests/support/constants.h"
 #include "tests/support/exact_chain.h"
 #include "tests/support/heavy_swing.h"
@@ -55,7 +56,7 @@ class HeldSwing final : public Swing {
   double energy() override {
     const Vec2 position = to_double(scene_->load->GetPosition());
     const double load = energy_of(heavy::load_mass, position, scene_->coupling.body(*scene_->load).velocity());
-    return load + (accuracy_ ? scene_->coupling.cord(0).direct().energy({0.0, -heavy::gravity}).total() : 0.0);
+    return load + (accuracy_ ? energy_of(scene_->coupling.cord(0).direct(), {0.0, -heavy::gravity}).total() : 0.0);
   }
 
   std::optional<int> unconverged() const override { return unconverged_; }

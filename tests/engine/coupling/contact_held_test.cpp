@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/cord_forces.h"
 #include "tests/support/constants.h"
 #include "tests/support/contact_world.h"
 #include "tests/support/points.h"
@@ -94,7 +95,7 @@ HeavyRun run_into(Obstacle obstacle, double stiffness, int ticks) {
   const auto energy = [&] {
     const Vec2 v = scene.coupling.body(*body).velocity();
     const double turning = static_cast<double>(body->GetAngularVelocity());
-    return scene.cord().energy({0.0, -9.81}).total() + 0.5 * mass * dot(v, v) + mass * 9.81 * position(body).y +
+    return energy_of(scene.cord(), {0.0, -9.81}).total() + 0.5 * mass * dot(v, v) + mass * 9.81 * position(body).y +
            0.5 * static_cast<double>(body->GetInertia()) * turning * turning;
   };
   HeavyRun run;

@@ -45,14 +45,14 @@ TEST(CouplingMedium, CountsItsTimeOnlyWhileThereIsOne) {
   GripWorld scene;
   scene.coupling.add(Cord(feeling(hanging())));
   scene.tick(10);
-  EXPECT_EQ(scene.coupling.medium_time(), 0.0);
+  EXPECT_EQ(scene.coupling.last_step().medium_time(), 0.0);
   const Weather still{WeatherDef{}};
   scene.coupling.set_medium(&still);
   scene.tick(60);
-  EXPECT_NEAR(scene.coupling.medium_time(), 1.0, 1e-12);
+  EXPECT_NEAR(scene.coupling.last_step().medium_time(), 1.0, 1e-12);
   scene.coupling.set_medium(nullptr);
   scene.tick(10);
-  EXPECT_NEAR(scene.coupling.medium_time(), 1.0, 1e-12);
+  EXPECT_NEAR(scene.coupling.last_step().medium_time(), 1.0, 1e-12);
   EXPECT_TRUE(scene.coupling.cord(0).direct().save().medium_forces.empty());
 }
 
@@ -78,11 +78,11 @@ TEST(CouplingMedium, ItsTimeIsSavedRestoredAndHashed) {
   scene.coupling.add(Cord(feeling(hanging())));
   scene.tick(50);
   const Coupling::State saved = scene.coupling.save(scene.world);
-  EXPECT_EQ(saved.medium_time, scene.coupling.medium_time());
+  EXPECT_EQ(saved.medium_time, scene.coupling.last_step().medium_time());
   scene.tick(70);
   const Coupling::State first = scene.coupling.save(scene.world);
   scene.coupling.restore(saved, scene.world);
-  EXPECT_EQ(scene.coupling.medium_time(), saved.medium_time);
+  EXPECT_EQ(scene.coupling.last_step().medium_time(), saved.medium_time);
   scene.tick(70);
   EXPECT_EQ(scene.coupling.save(scene.world), first);
   Coupling::State other = first;

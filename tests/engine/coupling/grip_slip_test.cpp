@@ -7,6 +7,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
 #include "ribbon/box2d/grip_table.h"
+#include "ribbon/cord_forces.h"
 #include "tests/engine/coupling/grip_world.h"
 #include "tests/support/points.h"
 
@@ -104,7 +105,7 @@ TEST(Grip, GainsNoEnergyWhereItSlipsPastABend) {
       const double turning = view.angular_velocity() * view.angular_velocity();
       const Vec2 center = ribbon::box2d::to_double(body->GetWorldCenter());
       return 0.5 * (mass * dot(view.velocity(), view.velocity()) + static_cast<double>(body->GetInertia()) * turning) +
-             mass * g * center.y + scene.coupling.cord(0).direct().energy({0.0, -g}).total();
+             mass * g * center.y + energy_of(scene.coupling.cord(0).direct(), {0.0, -g}).total();
     };
     double gain = 0.0;  // J, the largest of a tick
     double gap = 0.0;   // m

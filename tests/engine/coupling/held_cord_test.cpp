@@ -7,6 +7,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/cord_forces.h"
 #include "tests/support/allocations.h"
 #include "tests/support/constants.h"
 #include "tests/support/exact_chain.h"
@@ -175,9 +176,9 @@ TEST(HeldCord, TheAngularVelocityIsThatAtTheEndOfATick) {
   for (int k = 0; k < 120; ++k) {
     scene.tick();
     const double now = energy(scene, scene.coupling.body(*scene.body).angular_velocity()) +
-                       scene.coupling.cord(0).direct().energy({0.0, -9.81}).total();
+                       energy_of(scene.coupling.cord(0).direct(), {0.0, -9.81}).total();
     const double by_means = energy(scene, static_cast<double>(scene.body->GetAngularVelocity())) +
-                            scene.coupling.cord(0).direct().energy({0.0, -9.81}).total();
+                            energy_of(scene.coupling.cord(0).direct(), {0.0, -9.81}).total();
     off = std::max(off, std::abs(now - start));
     off_of_means = std::max(off_of_means, std::abs(by_means - start));
   }

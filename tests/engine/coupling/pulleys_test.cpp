@@ -325,7 +325,7 @@ TEST(Pulleys, RefuseWhatIsHeldOnAWheel) {
   scene.coupling.tie(tie);
   EXPECT_TRUE(says(refusal<CallError>([&] { scene.coupling.add_pulley(scene.cord, *scene.wall, wheel); }),
                    "tie 1 is between points"));
-  EXPECT_TRUE(scene.coupling.cord(scene.cord).direct().pulleys().empty()) << "nothing was changed";
+  EXPECT_TRUE(pulleys_of(scene.coupling.cord(scene.cord).direct()).empty()) << "nothing was changed";
 }
 
 TEST(Pulleys, CannotBeDraggedWhereTheyAre) {

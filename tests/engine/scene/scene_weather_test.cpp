@@ -67,7 +67,7 @@ TEST(SceneWeather, IsReadFromTheMap) {
   EXPECT_EQ(cord.displaced_area, 3e-4);
   for (int k = 0; k < 60; ++k) scene.tick(1.0 / 60.0);
   EXPECT_LT(scene.coupling().cord(0).positions()[20].x, 4.99) << "in the river";
-  EXPECT_GT(scene.coupling().medium_time(), 0.99);
+  EXPECT_GT(scene.coupling().last_step().medium_time(), 0.99);
   TiledMap dry = map();
   dry.properties.insert("wind_x", 4.0);
   Scene blown(dry);
@@ -79,7 +79,7 @@ TEST(SceneWeather, IsNoneWithoutItsProperties) {
   Scene scene(map());
   EXPECT_FALSE(scene.weather());
   for (int k = 0; k < 10; ++k) scene.tick(1.0 / 60.0);
-  EXPECT_EQ(scene.coupling().medium_time(), 0.0);
+  EXPECT_EQ(scene.coupling().last_step().medium_time(), 0.0);
 }
 
 TEST(SceneWeather, RefusesWhatIsOutOfRange) {

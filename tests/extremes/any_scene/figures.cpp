@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ribbon/pulley.h"
 #include "tests/support/slot.h"
 
 namespace any_scene {
@@ -54,7 +55,7 @@ double path_length(const ribbon::Cord& cord, const ribbon::box2d::PulleyState& p
   const Vec2 first = cord.positions()[slot(pulley.def.before)] - pulley.center;
   const Vec2 last = cord.positions()[slot(pulley.def.after)] - pulley.center;
   if (std::min(length(first), length(last)) < radius) {
-    const auto solved = std::find_if(cord.pulleys().begin(), cord.pulleys().end(),
+    const auto solved = std::find_if(pulleys_of(cord).begin(), pulleys_of(cord).end(),
                                      [&](const auto& other) { return other.def.before == pulley.def.before; });
     return length(first - radius * solved->arrival) + radius * pulley.arc + length(last - radius * solved->departure);
   }
@@ -90,7 +91,7 @@ Lengths lengths(const World& world) {
     const ribbon::Cord& cord = coupling.cord(c).direct();
     const ribbon::CordDef& def = cord.def();
     for (int i = 0; i + 1 < def.points; ++i) {
-      const bool on_wheel = std::any_of(cord.pulleys().begin(), cord.pulleys().end(), [i](const auto& pulley) {
+      const bool on_wheel = std::any_of(pulleys_of(cord).begin(), pulleys_of(cord).end(), [i](const auto& pulley) {
         return i >= pulley.def.before && i < pulley.def.after;
       });
       for (int j = 0; j < def.rows && !on_wheel; ++j) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/pulley.h"
 #include "tests/support/slot.h"
 
 namespace any_scene {
@@ -263,7 +264,7 @@ Snapshot World::snapshot() const {
   for (const CordId c : coupling_.cords()) {
     const ribbon::Cord& cord = coupling_.cord(c).direct();
     now.cords.push_back(outline(cord.def(), coupling_.cord(c).positions()));
-    for (const ribbon::Pulley& pulley : cord.pulleys())
+    for (const ribbon::Pulley& pulley : pulleys_of(cord))
       now.cords.back().lay_on_wheel(pulley.def.before, pulley.def.after);
   }
   for (const b2Body* body : bodies_) {

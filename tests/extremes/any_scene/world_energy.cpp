@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "ribbon/box2d/convert.h"
+#include "ribbon/cord_forces.h"
+#include "ribbon/pulley.h"
 #include "tests/extremes/any_scene/world.h"
 #include "tests/support/slot.h"
 
@@ -23,7 +25,7 @@ double kinetic_energy(const ribbon::Pulley& pulley) {
   return 0.5 * pulley.def.inertia * pulley.turning * pulley.turning;
 }
 
-/// Returns the elastic energy of the straight parts of a cord at a wheel, J: Cord::energy has that of the other links.
+/// Returns the elastic energy of the straight parts of a cord at a wheel, J: energy_of has that of the other links.
 /// On the wheel it is not stretched.
 double elastic_energy(const ribbon::Cord& cord, const ribbon::Pulley& pulley) {
   double trail = -pulley.lead - pulley.def.radius * pulley.arc;
@@ -89,10 +91,10 @@ World::Energy World::energy() const {
   Energy sum;
   for (const CordId c : coupling_.cords()) {
     const ribbon::Cord& cord = coupling_.cord(c).direct();
-    const ribbon::Cord::Energy of_cord = cord.energy(scene_.gravity);
+    const ribbon::CordEnergy of_cord = energy_of(cord, scene_.gravity);
     sum.total += of_cord.total();
     sum.kinetic += of_cord.kinetic;
-    for (const ribbon::Pulley& pulley : cord.pulleys()) {
+    for (const ribbon::Pulley& pulley : pulleys_of(cord)) {
       const double turning = kinetic_energy(pulley);
       sum.total += turning + elastic_energy(cord, pulley);
       sum.kinetic += turning;
