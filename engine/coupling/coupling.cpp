@@ -56,7 +56,8 @@ void gather_supports_of(CouplingParts& parts, CoupledCord& cord) {
     RigidBody& rigid = parts.bodies.rigid[static_cast<std::size_t>(index)];
     if (rigid.inverse_mass == 0.0) return;
     const std::size_t first = cord.supports.size();
-    entry.max_push = append_supports(*entry.body, index, cord.supports);
+    const double reach = parts.grips.reach_of_kept_off(cord, index, parts.conditions.dt);
+    entry.max_push = append_supports(*entry.body, {index, reach, parts.near_fixtures}, cord.supports);
     if (cord.supports.size() == first) return;
     parts.carry.leave_to_supports(*entry.body, rigid, std::span(cord.supports).subspan(first), parts.conditions.dt);
   };

@@ -20,6 +20,7 @@ CordId CouplingParts::add(std::unique_ptr<CoupledCord> cord) {
   bodies.reserve(usual_bodies);
   fixtures.reserve(usual_bodies);
   finder.reserve(usual_bodies);
+  near_fixtures.reserve(usual_bodies);
   touches.reserve(usual_events);
   cuts.reserve(usual_events);
   overloaded.reserve(usual_events);

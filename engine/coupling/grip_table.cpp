@@ -13,10 +13,11 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr double same_place = 1e-6;          // columns
-constexpr double return_share = 0.2;         // of its distance that a cord returns in a tick to a blocked anchor
-constexpr double closed_distance = 1e-6;     // m, below which the anchor has been reached
-constexpr double max_return_speed = 0.5;     // m/s
+constexpr double same_place = 1e-6;       // columns
+constexpr double return_share = 0.2;      // of its distance that a cord returns in a tick to a blocked anchor
+constexpr double closed_distance = 1e-6;  // m, below which the anchor has been reached
+constexpr double max_return_speed = 0.5;  // m/s
+constexpr double kept_off_distance = 10.0 * static_cast<double>(b2_linearSlop);  // m, of an anchor from its cord
 constexpr double max_slip_return = 3.0;      // m/s, the same for a grip that has slipped beside its cord
 constexpr double arc_rounding = 1.0 + 1e-9;  // links may add up to a little more than the length in the definition
 
@@ -216,6 +217,22 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
     cord.grips.push_back(grip);
     cord.grip_ids.push_back(held.id);
   }
+}
+
+double GripTable::reach_of_kept_off(const CoupledCord& cord, int body, double dt) const {
+  double reach = 0.0;
+  for (std::size_t k = 0; k < cord.grips.size(); ++k) {
+    const Grip& grip = cord.grips[k];
+    if (grip.body != body || !grip.returns) continue;
+    const BodyGrip& held = at(cord.grip_ids[k]);
+    const Vec2 anchor = to_double(held.body->GetWorldPoint(held.local_anchor) - held.body->GetWorldCenter());
+    const double distance = length(anchor - grip.offset);
+    if (!(distance > kept_off_distance)) continue;
+    const double speed = length(cord.direct().velocities()[static_cast<std::size_t>(grip.point)]) +
+                         length(to_double(held.body->GetLinearVelocity()));
+    reach = std::max(reach, distance + dt * speed);
+  }
+  return reach;
 }
 
 void GripTable::follow(const CordTable& cords, Vec2 gravity) {

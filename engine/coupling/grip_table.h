@@ -51,6 +51,9 @@ class GripTable {
   const BodyGrip& at(GripId id) const;
   /// Returns the first grip of a body, or null.
   const BodyGrip* first_of(const b2Body& body) const;
+  /// Returns how far a gathered cord may draw a body, by its index in the step, in a tick of dt seconds, m; 0 unless
+  /// Box2D has stopped the body more than 5 cm off the cord.
+  double reach_of_kept_off(const CoupledCord& cord, int body, double dt) const;
   /// Returns whether there is a grip of a body that is not this one but had its address.
   bool has_predecessor(const b2Body& body) const;
   /// Returns the grips, by id.

@@ -1,5 +1,7 @@
 #include "ribbon/box2d/supports.h"
 
+#include <box2d/b2_distance.h>
+
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -20,9 +22,87 @@ bool may_support(const b2ContactEdge& edge) {
          !contact.GetFixtureB()->IsSensor();
 }
 
+/// Returns the support of a body by another one at a place of the body, m, that is `distance` [m] from the other one.
+/// The normal is towards the body.
+Support support_by(const b2Body& other, const b2Body& body, b2Vec2 place, Vec2 normal, double distance) {
+  Support support;
+  support.arm = to_double(place) - to_double(body.GetWorldCenter());
+  support.normal = normal;
+  support.gap = distance > 0.0 ? distance + resting_overlap : 0.0;
+  support.speed = dot(to_double(other.GetLinearVelocityFromWorldPoint(place)), normal);
+  return support;
+}
+
+/// Returns whether Box2D lets two fixtures of different bodies collide.
+bool may_collide(b2Fixture& a, b2Fixture& b) {
+  if (a.IsSensor() || b.IsSensor()) return false;
+  for (const b2JointEdge* edge = a.GetBody()->GetJointList(); edge != nullptr; edge = edge->next) {
+    if (edge->other == b.GetBody() && !edge->joint->GetCollideConnected()) return false;
+  }
+  b2ContactFilter* const filter = a.GetBody()->GetWorld()->GetContactManager().m_contactFilter;
+  return filter == nullptr || filter->ShouldCollide(&a, &b);
+}
+
+/// A fixture near a body, and how near [m] what counts has to be.
+struct NearFixture {
+  b2Fixture& own;
+  b2Fixture& other;
+  double reach;
+};
+
+/// Appends the place where a child of each of two fixtures that do not touch are nearest to each other.
+void append_nearest(const NearFixture& near, int own_child, int other_child, std::vector<Support>& supports) {
+  b2DistanceInput input;
+  input.proxyA.Set(near.own.GetShape(), own_child);
+  input.proxyB.Set(near.other.GetShape(), other_child);
+  input.transformA = near.own.GetBody()->GetTransform();
+  input.transformB = near.other.GetBody()->GetTransform();
+  input.useRadii = true;
+  b2SimplexCache cache;
+  cache.count = 0;
+  b2DistanceOutput nearest;
+  b2Distance(&nearest, &cache, &input);
+  const Vec2 to_body = to_double(nearest.pointA) - to_double(nearest.pointB);
+  const double distance = length(to_body);
+  if (!(nearest.distance > 0.0F && distance < near.reach)) return;
+  supports.push_back(
+      support_by(*near.other.GetBody(), *near.own.GetBody(), nearest.pointA, (1.0 / distance) * to_body, distance));
+}
+
+/// Collects each fixture once, although Box2D reports it for each of its children.
+struct FixtureCollector : b2QueryCallback {
+  explicit FixtureCollector(std::vector<b2Fixture*>& memory) : found(memory) {}
+  bool ReportFixture(b2Fixture* fixture) override {
+    if (std::find(found.begin(), found.end(), fixture) == found.end()) found.push_back(fixture);
+    return true;
+  }
+  std::vector<b2Fixture*>& found;
+};
+
+/// Appends the places of static and kinematic bodies that a fixture does not touch, but that are within `reach` [m].
+/// The contacts of Box2D would not do: which it has of bodies that do not touch depends on where they have been.
+void append_near(b2Fixture& fixture, double reach, std::vector<b2Fixture*>& memory, std::vector<Support>& supports) {
+  FixtureCollector collector(memory);
+  const b2Vec2 margin{static_cast<float>(reach), static_cast<float>(reach)};
+  for (int child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
+    b2AABB box;
+    fixture.GetShape()->ComputeAABB(&box, fixture.GetBody()->GetTransform(), child);
+    box.lowerBound -= margin;
+    box.upperBound += margin;
+    memory.clear();
+    fixture.GetBody()->GetWorld()->QueryAABB(&collector, box);
+    for (b2Fixture* const other : memory) {
+      if (other->GetBody()->GetType() == b2_dynamicBody || !may_collide(fixture, *other)) continue;
+      for (int k = 0; k < other->GetShape()->GetChildCount(); ++k) {
+        if (b2TestOverlap(box, other->GetAABB(k))) append_nearest({fixture, *other, reach}, child, k, supports);
+      }
+    }
+  }
+}
+
 /// Appends the points at which the bodies of a contact touch now. (The contact's own manifold is of the start of the
 /// last world.Step.) Where they overlap, Box2D keeps them from getting nearer. Returns whether there are any.
-bool append(const b2Body& body, const b2ContactEdge& edge, int index, std::vector<Support>& supports) {
+bool append(const b2Body& body, const b2ContactEdge& edge, std::vector<Support>& supports) {
   b2Contact& contact = *edge.contact;
   const b2Fixture& a = *contact.GetFixtureA();
   const b2Fixture& b = *contact.GetFixtureB();
@@ -34,14 +114,8 @@ bool append(const b2Body& body, const b2ContactEdge& edge, int index, std::vecto
                     b.GetShape()->m_radius);
   const Vec2 to_body = to_double(b.GetBody() == &body ? places.normal : -places.normal);
   for (int k = 0; k < manifold.pointCount; ++k) {
-    const double separation = static_cast<double>(places.separations[k]);
-    Support support;
-    support.body = index;
-    support.arm = to_double(places.points[k]) - to_double(body.GetWorldCenter());
-    support.normal = (1.0 / length(to_body)) * to_body;
-    support.gap = separation > 0.0 ? separation + resting_overlap : 0.0;
-    support.speed = dot(to_double(edge.other->GetLinearVelocityFromWorldPoint(places.points[k])), support.normal);
-    supports.push_back(support);
+    supports.push_back(support_by(*edge.other, body, places.points[k], (1.0 / length(to_body)) * to_body,
+                                  static_cast<double>(places.separations[k])));
   }
   return true;
 }
@@ -49,16 +123,21 @@ bool append(const b2Body& body, const b2ContactEdge& edge, int index, std::vecto
 }  // namespace
 
 /// In an order that does not depend on that of Box2D's list.
-double append_supports(const b2Body& body, int index, std::vector<Support>& supports) {
+double append_supports(b2Body& body, const SupportSearch& search, std::vector<Support>& supports) {
   const auto first = static_cast<std::ptrdiff_t>(supports.size());
   double max_push = std::numeric_limits<double>::infinity();
   int contacts = 0;
   for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
-    if (!may_support(*edge) || !append(body, *edge, index, supports)) continue;
+    if (!may_support(*edge) || !append(body, *edge, supports)) continue;
     ++contacts;
     if (!(edge->contact->GetRestitution() > 0.0F)) continue;
     max_push = std::min(max_push, threshold_share * static_cast<double>(edge->contact->GetRestitutionThreshold()));
   }
+  if (search.reach > 0.0) {
+    for (b2Fixture* own = body.GetFixtureList(); own != nullptr; own = own->GetNext())
+      append_near(*own, search.reach, search.memory, supports);
+  }
+  for (auto added = supports.begin() + first; added != supports.end(); ++added) added->body = search.index;
   const auto key = [](const Support& s) {
     return std::tuple(s.normal.x, s.normal.y, s.arm.x, s.arm.y, s.gap, s.speed);
   };
