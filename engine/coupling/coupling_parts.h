@@ -70,7 +70,7 @@ struct CouplingParts {
   std::vector<IslandCord> island_cords;
   std::vector<CordReport> reports;
   SpareCords spares;
-  std::vector<b2Fixture*> near_fixtures;                  // of a body that was stopped
+  std::vector<b2Fixture*> near_fixtures;                  // memory of append_supports
   std::vector<BladeCut> blade_cuts;                       // by cord, of each the last place first
   std::vector<TouchImpulse> impulses;                     // of a fixture, for the listener
   std::vector<std::pair<CordId, int>> overloaded;         // cords and their links

@@ -13,13 +13,14 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr double same_place = 1e-6;       // columns
-constexpr double return_share = 0.2;      // of its distance that a cord returns in a tick to a blocked anchor
-constexpr double closed_distance = 1e-6;  // m, below which the anchor has been reached
-constexpr double max_return_speed = 0.5;  // m/s
-constexpr double kept_off_distance = 10.0 * static_cast<double>(b2_linearSlop);  // m, of an anchor from its cord
+constexpr double same_place = 1e-6;          // columns
+constexpr double return_share = 0.2;         // of its distance that a cord returns in a tick to a blocked anchor
+constexpr double closed_distance = 1e-6;     // m, below which the anchor has been reached
+constexpr double max_return_speed = 0.5;     // m/s
 constexpr double max_slip_return = 3.0;      // m/s, the same for a grip that has slipped beside its cord
 constexpr double arc_rounding = 1.0 + 1e-9;  // links may add up to a little more than the length in the definition
+// m, from an anchor to its cord, from which on a support need not touch
+constexpr double kept_off_distance = 10.0 * static_cast<double>(b2_linearSlop);
 
 /// Sets the place of a new grip from its definition.
 void set_place(BodyGrip& grip, const GripDef& def, const CoupledCord& cord) {

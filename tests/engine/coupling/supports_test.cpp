@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -114,6 +116,47 @@ TEST_P(StopperThatRebounds, ComesBackToItsCord) {
   EXPECT_LT(gap, 0.11);  // what the cord goes on by in one tick, at 6 m/s
   EXPECT_LT(rebound, 0.2);
   EXPECT_LT(scene.gap(), 1e-3);
+}
+
+/// A wedge a centimetre below the place where the ball comes to lie. The cord passes it.
+struct Wedge {
+  bool passes_filter = true;
+  bool is_sensor = false;
+  bool has_joint = false;  // one with the ball, so that these do not collide
+};
+
+/// Returns where a ball that rebounds is in each tick.
+std::vector<Vec2> path_over(const std::optional<Wedge>& wedge) {
+  Stopper scene(PresetName::balanced, 1000.0, 0.0);
+  scene.ball->GetFixtureList()->SetRestitution(0.5F);
+  scene.ball->GetFixtureList()->SetFilterData(test_support::filter(3, 0xFFFF));
+  if (wedge) {
+    b2Body* const body = scene.scene.add_body(scene.start - Vec2{0.0, 0.31}, b2_staticBody);
+    const b2Filter filter = test_support::filter(1, wedge->passes_filter ? 2 : 0);
+    test_support::add_shape(body, test_support::box(0.05, 0.05), 0.0, 0.5, filter)->SetSensor(wedge->is_sensor);
+    if (wedge->has_joint) {
+      b2DistanceJointDef slack;
+      slack.Initialize(body, scene.ball, body->GetPosition(), scene.ball->GetPosition());
+      slack.minLength = 0.0F;
+      slack.maxLength = 100.0F;
+      scene.scene.world.CreateJoint(&slack);
+    }
+  }
+  scene.raise(2.0);
+  std::vector<Vec2> path;
+  for (int k = 0; k < 120; ++k) {
+    scene.scene.tick();
+    path.push_back(test_support::position(scene.ball));
+  }
+  return path;
+}
+
+TEST(Supports, OfABodyStoppedOffItsCordAreOnlyWhatItCollidesWith) {
+  const std::vector<Vec2> alone = path_over({});
+  EXPECT_NE(path_over(Wedge{}), alone);
+  EXPECT_EQ(path_over(Wedge{.is_sensor = true}), alone);
+  EXPECT_EQ(path_over(Wedge{.passes_filter = false}), alone);
+  EXPECT_EQ(path_over(Wedge{.has_joint = true}), path_over(Wedge{.passes_filter = false, .has_joint = true}));
 }
 
 /// A load of 98 N presses a box of 1 kg on a wall. Friction holds it, because Box2D feels the pressure.
