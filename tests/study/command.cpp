@@ -135,6 +135,7 @@ int print_validation(const Command& command) {
   ValidationOptions options;
   options.promises = promises_of(command.limits);
   options.runs = *command.validation_runs;
+  options.players = command.validation_players;
   for (const LevelFile& level : levels) options.recorded.push_back(start_of_recording(level));
   options.shard = command.shard;
   std::vector<PromiseRow> all;

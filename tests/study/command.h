@@ -21,6 +21,7 @@ struct Command {
   bool apply = false;
   Limits limits;
   std::optional<int> validation_runs;  ///< number of runs of each level that verify recommendations
+  int validation_players = 1;          ///< number of players that each recommendation is tried with
   std::optional<int> repeats;          ///< of the timed runs; none: 9, and 3 of a quick study
   bool csv = false;                    ///< of a validation: print its rows
   Shard shard;                         ///< of a validation, or of --by-cord for several levels

@@ -68,60 +68,90 @@ std::size_t index_in(std::vector<Setting>& settings, const Setting& setting) {
   return index;
 }
 
-/// The rows of a run; only their promises, failures and run are set if its level cannot be varied.
+/// The runs of a variation; only their promises, failures and numbers are set if its level cannot be varied.
 class PromiseTrial {
  public:
-  PromiseTrial(std::size_t run, std::span<const LevelFile> levels, const ValidationOptions& options,
-               const Measure& measure_level)
-      : seed_(static_cast<unsigned>(2 * run)),
-        number_(run % levels.size()),
+  PromiseTrial(std::size_t variation, std::size_t variations, std::span<const LevelFile> levels,
+               const ValidationOptions& options, const Measure& measure_level)
+      : seed_(static_cast<unsigned>(2 * variation)),
+        number_(variation % levels.size()),
         level_(&levels[number_]),
         options_(&options),
         measure_(&measure_level) {
-    for (const Promise& promise : options.promises) {
-      PromiseRow& row = rows_.emplace_back();
-      row.run = run + 1;
-      row.level = level_->level().name;
-      row.promise = promise.name;
-      row.level_hash = ribbon::box2d::to_hex(level_->hash());
+    for (std::size_t player = 0; player < static_cast<std::size_t>(options.players); ++player) {
+      const std::size_t run = player * variations + variation;
+      runs_.push_back({static_cast<unsigned>(2 * run + 1), {}});
+      for (const Promise& promise : options.promises) {
+        PromiseRow& row = runs_.back().rows.emplace_back();
+        row.run = run + 1;
+        row.level = level_->level().name;
+        row.promise = promise.name;
+        row.level_hash = ribbon::box2d::to_hex(level_->hash());
+      }
     }
   }
 
   std::vector<PromiseRow> rows() {
+    std::string failure;
     try {
-      run(level_->varied(seed_));
+      const LevelFile varied = level_->varied(seed_);
+      const Chosen chosen = choose_in(varied);
+      for (Run& run : runs_) try_in(varied, chosen, run);
     } catch (const engine::MapError& error) {
-      for (PromiseRow& row : rows_) row.failure = std::string("no such variation: ") + error.what();
+      failure = std::string("no such variation: ") + error.what();
     }
-    return rows_;
+    std::vector<PromiseRow> all;
+    for (const Run& run : runs_) {
+      for (PromiseRow row : run.rows) {
+        if (!failure.empty()) row.failure = failure;
+        all.push_back(std::move(row));
+      }
+    }
+    return all;
   }
 
  private:
-  void run(const LevelFile& varied) {
+  /// A run has a player, and a row for each promise.
+  struct Run {
+    unsigned seed;
+    std::vector<PromiseRow> rows;
+  };
+
+  struct Chosen {
+    std::vector<Setting> settings;
+    std::vector<std::optional<std::size_t>> by_promise;  // index in settings
+    Calibration fit;
+  };
+
+  Chosen choose_in(const LevelFile& varied) const {
     const Study chosen_on = (*measure_)(varied, random_inputs_with_cords(varied.level(), seed_, options_->ticks),
                                         options_of(own_settings(), others_in(varied)));
     const Study counted = by_work(chosen_on);
-    const Calibration fit = calibrate(chosen_on);
-    std::vector<std::optional<std::size_t>> chosen;  // by promise: the index in retested
-    std::vector<Setting> retested;
+    Chosen chosen;
+    chosen.fit = calibrate(chosen_on);
     for (const Promise& promise : options_->promises) {
-      const Choice choice = choose(promise.limits.max_error_m ? counted : chosen_on, promise.limits, fit);
+      const Choice choice = choose(promise.limits.max_error_m ? counted : chosen_on, promise.limits, chosen.fit);
       if (!choice.setting) {
-        chosen.emplace_back();
+        chosen.by_promise.emplace_back();
         continue;
       }
       const Measured& setting = chosen_on.settings[*choice.setting];
-      chosen.emplace_back(index_in(retested, recommended_for(promise.limits, setting)));
+      chosen.by_promise.emplace_back(index_in(chosen.settings, recommended_for(promise.limits, setting)));
     }
-    const Inputs other_input = random_inputs_with_cords(varied.level(), seed_ + 1, options_->ticks);
-    const bool holds = !meetings_of(varied.level(), other_input).held.empty();
-    StudyOptions as_recommended = options_of(retested);
+    return chosen;
+  }
+
+  void try_in(const LevelFile& varied, const Chosen& chosen, Run& run) const {
+    const Inputs input = random_inputs_with_cords(varied.level(), run.seed, options_->ticks);
+    const bool holds = !meetings_of(varied.level(), input).held.empty();
+    StudyOptions as_recommended = options_of(chosen.settings);
     as_recommended.ample_budgets = false;
-    const Study again = retested.empty() ? Study{} : (*measure_)(varied, other_input, as_recommended);
+    const Study again = chosen.settings.empty() ? Study{} : (*measure_)(varied, input, as_recommended);
     const std::vector<Point> points = applicable(again);
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      rows_[k].holds_cord = holds;
-      if (chosen[k]) judge(rows_[k], options_->promises[k].limits, again.settings[*chosen[k]], points[*chosen[k]], fit);
+    for (std::size_t k = 0; k < run.rows.size(); ++k) {
+      run.rows[k].holds_cord = holds;
+      if (const auto& index = chosen.by_promise[k])
+        judge(run.rows[k], options_->promises[k].limits, again.settings[*index], points[*index], chosen.fit);
     }
   }
 
@@ -147,7 +177,7 @@ class PromiseTrial {
   const LevelFile* level_;
   const ValidationOptions* options_;
   const Measure* measure_;
-  std::vector<PromiseRow> rows_;
+  std::vector<Run> runs_;
 };
 
 void count(Tally& tally, const PromiseRow& row) {
@@ -176,13 +206,17 @@ PromiseRow promise_row_of(const std::vector<std::string>& cells) {
 void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
                               const std::function<void(const std::vector<PromiseRow>&, double share)>& add,
                               const Measure& measure_level) {
-  const std::size_t all = static_cast<std::size_t>(options.runs) * levels.size();
+  if (options.players < 1 || options.runs % options.players != 0) {
+    throw std::invalid_argument(std::to_string(options.players) + " players do not divide " +
+                                std::to_string(options.runs) + " runs; accepted is a divisor of their number");
+  }
+  const std::size_t all = static_cast<std::size_t>(options.runs / options.players) * levels.size();
   std::vector<std::size_t> own;
-  for (std::size_t run = 0; run < all; ++run) {
-    if (options.shard.has(run, all)) own.push_back(run);
+  for (std::size_t variation = 0; variation < all; ++variation) {
+    if (options.shard.has(variation, all)) own.push_back(variation);
   }
   for (std::size_t k = 0; k < own.size(); ++k) {
-    PromiseTrial trial(own[k], levels, options, measure_level);
+    PromiseTrial trial(own[k], all, levels, options, measure_level);
     add(trial.rows(), static_cast<double>(k + 1) / static_cast<double>(own.size()));
   }
 }

@@ -54,19 +54,22 @@ std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> 
 struct ValidationOptions {
   std::vector<Promise> promises = promises_of({});
   int runs = 100;
+  int players = 1;                 ///< tried with each choice of settings; divides runs
   int ticks = 120;                 ///< of each input
   std::size_t others = 4;          ///< number of players, beside the first, that a setting is chosen with
   std::vector<Inputs> recorded{};  ///< by level: of another such player; without any none
-  Shard shard;                     ///< of the runs of all levels, which alternate
+  Shard shard;                     ///< of the choices for all levels, which alternate
 };
 
 using Measure =
     std::function<Study(const LevelFile&, const std::vector<engine::TickInput>& inputs, const StudyOptions& options)>;
 
 /// Validates recommendations with random inputs in variations of the levels, in turn, and calls `add` with the rows of
-/// each run. Settings are recommended as a study does, for the worst of several players (those that meet cords, and the
-/// recorded one), and measured again with yet another player in the same variation.
-/// `measure_level` is `measure`, or a test's substitute.
+/// each variation. Settings are recommended as a study does, for the worst of several players (those that meet cords,
+/// and the recorded one), and measured again with `players` further players in the same variation, a run each. To
+/// choose settings costs about six times as much as to try them. With one player, run k is of variation k; the first of
+/// several gives the same run. `measure_level` is `measure`, or a test's substitute. Throws std::invalid_argument if
+/// `players` is below 1 or does not divide `runs`.
 void validate_recommendations(std::span<const LevelFile> levels, const ValidationOptions& options,
                               const std::function<void(const std::vector<PromiseRow>&, double share)>& add,
                               const Measure& measure_level);

@@ -204,6 +204,61 @@ TEST(Validation, SettingsAreChosenWithSeveralPlayers) {
   EXPECT_EQ(rows.at(0).setting, "tr_bdf2 substeps=4 tolerance=0.0001 max_work=20000");
 }
 
+/// Of each player the input with which it was measured, and the runs that came out.
+struct Tried {
+  std::vector<Inputs> inputs;
+  std::vector<PromiseRow> rows;
+};
+
+Tried tried_with(int runs, int players) {
+  Tried tried;
+  const Measure measure = [&](const LevelFile&, const Inputs& inputs, const StudyOptions& options) {
+    tried.inputs.push_back(inputs);
+    Study study;
+    for (const Setting& setting : options.grid) study.settings.push_back(measured_of(setting));
+    return study;
+  };
+  const std::vector<LevelFile> levels = {LevelFile(TEST_ASSETS "/levels/first_swing.tmj")};
+  ValidationOptions options;
+  options.runs = runs;
+  options.players = players;
+  options.others = 0;
+  options.promises = promises_of({.max_error_m = 1e-2});
+  validate_recommendations(
+      levels, options, [&](const auto& some, double) { tried.rows.insert(tried.rows.end(), some.begin(), some.end()); },
+      measure);
+  return tried;
+}
+
+TEST(Validation, AChoiceIsTriedWithSeveralPlayersARunEach) {
+  const Tried several = tried_with(4, 2);
+  const Tried single = tried_with(2, 1);
+  ASSERT_EQ(several.inputs.size(), 6U);  // of each of two variations: one to choose with, two to try
+  ASSERT_EQ(single.inputs.size(), 4U);
+  std::vector<std::size_t> numbers;
+  for (const PromiseRow& row : several.rows) numbers.push_back(row.run);
+  EXPECT_EQ(numbers, (std::vector<std::size_t>{1, 3, 2, 4}));
+  EXPECT_EQ(several.rows.at(0), single.rows.at(0));
+  EXPECT_EQ(several.rows.at(2), single.rows.at(1));
+  const auto presses = [](const Inputs& inputs) {
+    std::vector<std::uint16_t> buttons;
+    for (const engine::TickInput& tick : inputs) buttons.push_back(tick.buttons);
+    return buttons;
+  };
+  EXPECT_EQ(presses(several.inputs[1]), presses(single.inputs[1]));
+  EXPECT_EQ(presses(several.inputs[4]), presses(single.inputs[3]));
+  std::set<std::vector<std::uint16_t>> all;
+  for (const Inputs& inputs : several.inputs) all.insert(presses(inputs));
+  EXPECT_EQ(all.size(), several.inputs.size());
+}
+
+TEST(Validation, PlayersThatDoNotDivideTheRunsAreRefused) {
+  for (const int players : {0, 3}) {
+    const std::string said = test_support::refusal<std::invalid_argument>([&] { tried_with(4, players); });
+    EXPECT_NE(said.find("accepted is a divisor"), std::string::npos) << players << ": " << said;
+  }
+}
+
 /// As it is recommended: for an error with ample_work, for a cost as it was measured.
 TEST(Validation, ASettingIsTestedAsItIsRecommended) {
   std::vector<std::string> tested;

@@ -127,6 +127,9 @@ void add_level_options(CLI::App& app, study::Command& study) {
          "random input and measures them with another; all levels of the game, or those of --level, which may "
          "be repeated. --csv prints a row for each promise")
       ->check(CLI::Range(1, 10000));
+  app.add_option("--players", study.validation_players,
+                 "Beside --validate: try each recommendation with this many players, a run each; a divisor of the runs")
+      ->check(CLI::Range(1, 10000));
   app.add_flag("--terms", study.terms, "Report which terms of its cords the level needs")->needs(level);
 }
 

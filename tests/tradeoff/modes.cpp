@@ -14,20 +14,20 @@ struct Mode {
 
 /// The first one that is given counts.
 const std::vector<Mode>& modes() {
-  static const std::vector<Mode> all = {
-      {"--list", {}},
-      {"--check", {"--level", "--replay", "--accept", "--shard"}},
-      {"--baseline", {"--accept"}},
-      {"--report", {"--out", "--quick", "--repeats", "--shard"}},
-      {"--validate",
-       {"--level", "--max-error", "--budget", "--budget-p99", "--budget-most", "--budget-work", "--csv", "--shard"}},
-      {"--promises-of", {}},
-      {"--terms", {"--level", "--replay"}},
-      {"--level",
-       {"--replay", "--quick", "--repeats", "--out", "--max-error", "--budget", "--budget-p99", "--budget-most",
-        "--budget-work", "--by-cord", "--apply"}},
-      {"--by-cord", {"--max-error", "--shard"}},
-      {"--scene", {"--repeats", "--out", "--csv"}}};
+  static const std::vector<Mode> all = {{"--list", {}},
+                                        {"--check", {"--level", "--replay", "--accept", "--shard"}},
+                                        {"--baseline", {"--accept"}},
+                                        {"--report", {"--out", "--quick", "--repeats", "--shard"}},
+                                        {"--validate",
+                                         {"--level", "--players", "--max-error", "--budget", "--budget-p99",
+                                          "--budget-most", "--budget-work", "--csv", "--shard"}},
+                                        {"--promises-of", {}},
+                                        {"--terms", {"--level", "--replay"}},
+                                        {"--level",
+                                         {"--replay", "--quick", "--repeats", "--out", "--max-error", "--budget",
+                                          "--budget-p99", "--budget-most", "--budget-work", "--by-cord", "--apply"}},
+                                        {"--by-cord", {"--max-error", "--shard"}},
+                                        {"--scene", {"--repeats", "--out", "--csv"}}};
   return all;
 }
 
