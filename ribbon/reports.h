@@ -27,7 +27,7 @@ struct IslandReport {
   std::int64_t work = 0;
   // The largest residuals of unconverged substeps, each by itself; 0 if all substeps converged:
   double position_error = 0.0;  ///< m, correction of a point by the last linear solve
-  double force_error = 0.0;     ///< N, inertia force of that correction; 0 with a `max_work` of 10,000 or more
+  double force_error = 0.0;     ///< N, inertia force of that correction
 
   bool operator==(const IslandReport&) const = default;
   /// Adds the counts of another step and keeps the larger residuals.

@@ -10,10 +10,9 @@ namespace {
 
 constexpr int max_tighter_retries = 3;  // of a substep of implicit Euler that gained energy
 constexpr double gross_gain = 1e-2;     // of the scene's energy, tolerated of implicit Euler: no integrator damps more
-// Newton steps in the halves of a substep, as long as all of them are solved, and once one was given up. (5,000 slack
-// links on a load of 10⁶ kg turn about so much in steps of a second that they take 4,200.)
+// Newton steps in the halves of a substep. (5,000 slack links on a load of 10⁶ kg turn about so much in steps of a
+// second that they take 4,200.)
 constexpr int max_halved_work = 16000;
-constexpr int max_vain_work = 4000;
 // Times that a substep is halved, and its beginning: what was thrown apart finds back at once.
 constexpr int max_halvings = 10;
 constexpr int max_first_halvings = 20;
@@ -45,14 +44,8 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   context.begin_substep(time, dt);
   const CordEnergy before = context.energy_before();
   if (!take_second_order(context, time, dt, before)) {
-    if (take_damped(context, time, dt, before)) {
-      context.guard.remove_spurious_motion(context.state, context.contacts, before);
-    } else {
-      if (!context.work.has_large_budget()) return false;
-      context.stages.store_corrections(context.state);
-      context.report_unconverged(0.0, 0.0);
-      context.guard.remove_spurious_energy(context.state, context.contacts, before);
-    }
+    if (!take_damped(context, time, dt, before)) return false;
+    context.guard.remove_spurious_motion(context.state, context.contacts, before);
   }
   end(context, before, dt, restitution);
   return true;
@@ -132,7 +125,7 @@ bool Substeps::take_halved(const StepContext& context, double time, double dt, c
   for (int k = 0;; ++k) {
     converged =
         (k != max_tighter_retries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
-    if (!context.gained_energy(before, gross_gain)) break;
+    if (!converged || !context.gained_energy(before, gross_gain)) break;
     converged = false;
     if (k == max_tighter_retries || work.halving_is_over(state.unlocking)) break;
     ++work.report.energy_gains;
@@ -149,29 +142,29 @@ bool Substeps::halve(const StepContext& context, double time, double dt) {
   context.return_to_start();
   ++context.work.report.halvings;
   whole_ = context.state.start;
-  Halving halving{time, context.work.report.iterations};
-  take_halves(context, time, dt, 1, halving);
+  const Halving halving{time, context.work.report.iterations};
+  const bool solved = take_halves(context, time, dt, 1, halving);
   context.state.start = whole_;
-  return !halving.gave_up;
+  return solved;
 }
 
-/// Takes implicit Euler in two halves, each of which is halved again where it does not converge, until it is given up.
-void Substeps::take_halves(const StepContext& context, double time, double dt, int depth, Halving& halving) {
+/// Takes implicit Euler in two halves, each of which is halved again where it does not converge. Returns false, in the
+/// midst of the substep, if that does not help.
+bool Substeps::take_halves(const StepContext& context, double time, double dt, int depth, const Halving& halving) {
   StepWork& work = context.work;
   for (const double from : {time, time + 0.5 * dt}) {
     context.begin_substep(from, 0.5 * dt);
     if (Integrators::implicit_euler(context, from, 0.5 * dt)) continue;
-    const int iterations = work.report.iterations - halving.iterations;
     if (depth >= (from == halving.time ? max_first_halvings : max_halvings) ||
-        iterations > (halving.gave_up ? max_vain_work : max_halved_work) ||
+        work.report.iterations - halving.iterations > max_halved_work ||
         work.halving_is_over(context.state.unlocking)) {
-      halving.gave_up = true;
-      continue;
+      return false;
     }
     context.return_to_start();
     ++work.report.halvings;
-    take_halves(context, from, 0.5 * dt, depth + 1, halving);
+    if (!take_halves(context, from, 0.5 * dt, depth + 1, halving)) return false;
   }
+  return true;
 }
 
 }  // namespace ribbon

@@ -62,7 +62,8 @@ bool StepWork::halving_is_over(bool unlocking) const {
 }
 
 bool StepWork::redoing_is_over() const {
-  return report.iterations >= linearised_iterations_ + max_linearised_systems || has_spent(linearised_share);
+  return report.iterations >= linearised_iterations_ + max_linearised_systems ||
+         has_spent(has_large_budget() ? 1.0 : linearised_share);
 }
 
 bool StepWork::linearising_is_over() const {

@@ -23,8 +23,8 @@ class StepWork {
   void count_system(std::size_t blocks, std::int64_t tested_pairs);
   /// Returns whether this share of the work that a step may take has been done.
   bool has_spent(double share = 1.0) const;
-  /// Returns whether the step may take so much work that a substep that does not converge is halved before its contacts
-  /// are linearised once.
+  /// Returns whether the step may take so much work that a substep that does not converge is halved first, before the
+  /// contacts of the whole step are linearised once.
   bool has_large_budget() const;
   /// Returns whether the attempt, or all attempts together, have used their work, so that contacts are linearised once.
   bool attempt_is_over() const;
