@@ -50,8 +50,8 @@ std::vector<SceneId> wanted(const Options& options, unsigned first, unsigned las
       if (options.family != "all" && options.family != name(family)) continue;
       SceneId which{seed, family, options.wild ? any_scene::Difficulty::wild : any_scene::Difficulty::gentle, {}};
       if (options.preset == "all") scenes.push_back(which);
-      for (const Preset preset : {Preset::fast, Preset::balanced, Preset::accurate}) {
-        if (options.preset != name(preset) && options.preset != "each") continue;
+      for (const Preset preset : any_scene::all_presets) {
+        if (options.preset != name(preset) && (options.preset != "each" || preset == Preset::ample)) continue;
         which.preset = preset;
         scenes.push_back(which);
       }
@@ -178,8 +178,10 @@ int main(int argc, char** argv) {
   for (const any_scene::Limit& limit : any_scene::limits()) figures.emplace_back(limit.figure);
   app.add_option("--seeds", options.seeds, "SEED or FIRST-LAST");
   app.add_option("--family", options.family, "One family")->check(CLI::IsMember(families));
-  app.add_option("--preset", options.preset, "fast, balanced, accurate; all: one a seed; each: all three a seed")
-      ->check(CLI::IsMember({"fast", "balanced", "accurate", "all", "each"}));
+  app.add_option("--preset", options.preset,
+                 "fast, balanced, accurate, ample (balanced with a budget of work of 20,000); all: one of the first "
+                 "three a seed; each: these three a seed")
+      ->check(CLI::IsMember({"fast", "balanced", "accurate", "ample", "all", "each"}));
   app.add_flag("--wild,!--gentle", options.wild,
                "With overlaps, kinematic bodies, drags, reels, climbers, motors and speed");
   app.add_option("--out,--csv", options.out, "Appends a line of CSV a scene, and skips what is there");

@@ -21,7 +21,6 @@ namespace {
 
 using Runs = std::vector<Summary>;
 
-constexpr std::array presets = {Preset::fast, Preset::balanced, Preset::accurate};
 constexpr const char* before_color = "'#b0b0b0'";
 constexpr const char* before_text_color = "'#606060'";
 constexpr const char* now_color = "'#0072b2'";
@@ -210,14 +209,14 @@ Runs with_preset(const Runs& runs, Preset preset) {
 std::string plot_of(const std::vector<Summary>& runs, const std::vector<Summary>& before, const std::string& path) {
   std::ostringstream out;
   out << "set terminal svg size 1200,960 font 'DejaVu Sans,12' background rgb 'white'\nset output " << quoted(path)
-      << "\nset multiplot layout " << kinds.size() << ',' << presets.size()
+      << "\nset multiplot layout " << kinds.size() << ',' << usual_presets.size()
       << " margins 0.07, 0.985, 0.07, 0.96 spacing 0.045, 0.09\n"
       << "set logscale x\nset format x '10^{%L}'\nset mxtics 1\nset mytics 1\nset grid\n";
   for (const Kind& kind : kinds) {
-    for (const Preset preset : presets) {
+    for (const Preset preset : usual_presets) {
       const std::string title(name(preset));
       out << "set title '" << (&kind == kinds.data() ? title : "") << "'\nset ylabel '"
-          << (preset == presets.front() ? kind.share_of : "") << "'\n"
+          << (preset == usual_presets.front() ? kind.share_of : "") << "'\n"
           << panel(kind, kind.name + std::string("_").append(title), kind.of(with_preset(before, preset)),
                    kind.of(with_preset(runs, preset)));
     }

@@ -5,13 +5,17 @@
 namespace any_scene {
 
 std::string_view name(Preset preset) {
-  constexpr std::string_view names[] = {"fast", "balanced", "accurate"};
+  constexpr std::string_view names[] = {"fast", "balanced", "accurate", "ample"};
   return names[static_cast<std::size_t>(preset)];
 }
 
 ribbon::Accuracy accuracy_of(Preset preset) {
+  constexpr int ample_work = 20'000;
   if (preset == Preset::fast) return ribbon::Accuracy::fast();
-  return preset == Preset::accurate ? ribbon::Accuracy::accurate() : ribbon::Accuracy::balanced();
+  if (preset == Preset::accurate) return ribbon::Accuracy::accurate();
+  ribbon::Accuracy accuracy = ribbon::Accuracy::balanced();
+  if (preset == Preset::ample) accuracy.max_work = ample_work;
+  return accuracy;
 }
 
 bool is_driven(const Scene& scene) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -12,11 +13,15 @@
 /// Random scenes: definition, generation, playing, judging, shrinking and printing.
 namespace any_scene {
 
-enum class Preset : unsigned char { fast, balanced, accurate };
+/// Those of ribbon::Accuracy, and `balanced` with a budget of work of 20,000, of which a substep may be halved.
+enum class Preset : unsigned char { fast, balanced, accurate, ample };
+inline constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accurate, Preset::ample};
+/// The presets that a seed chooses from.
+inline constexpr std::array usual_presets = {Preset::fast, Preset::balanced, Preset::accurate};
 enum class Motion : unsigned char { fixed, dynamic, kinematic };
 enum class Shape : unsigned char { circle, box, edge };
 
-/// Returns "fast", "balanced" or "accurate".
+/// Returns "fast", "balanced", "accurate" or "ample".
 std::string_view name(Preset preset);
 ribbon::Accuracy accuracy_of(Preset preset);
 

@@ -111,7 +111,7 @@ void print_table(const std::vector<Summary>& runs) {
   std::printf("%-13s %-8s", "family", "preset");
   for (const Column& column : columns()) std::printf(" %*s", column.width, column.title);
   std::printf("\n");
-  for (const Preset preset : {Preset::fast, Preset::balanced, Preset::accurate}) {
+  for (const Preset preset : all_presets) {
     const auto of_preset = [&](const Summary& run) { return run.preset == preset; };
     for (const Family family : all_families) {
       print_row(name(family), name(preset),

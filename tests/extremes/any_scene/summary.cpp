@@ -18,7 +18,6 @@ Value named(const std::string& word, const std::array<Value, Size>& values) {
   return *found;
 }
 
-constexpr std::array all_presets = {Preset::fast, Preset::balanced, Preset::accurate};
 constexpr std::array all_difficulties = {Difficulty::gentle, Difficulty::wild};
 constexpr std::array all_ends = {End::completed, End::timed_out, End::broken, End::refused, End::crashed};
 
