@@ -51,7 +51,8 @@ game::Level level_for_two(const LevelForTwo& options) {
   json post = rectangle(6, "circle", 20.75, 7.75, 0.5, 0.5);
   post["ellipse"] = true;
   json second = point(2, "player_2", 14.0, 4.0);
-  second["properties"] = {property("mass", "float", options.second_mass)};
+  // clang reads {x} as x, g++ as a list of it.
+  second["properties"] = json::array({property("mass", "float", options.second_mass)});
   if (options.tied) second["properties"].push_back(property("tether", "object", 7));
   json objects = {point(1, "player", 8.0, 4.0),
                   second,
