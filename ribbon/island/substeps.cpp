@@ -10,10 +10,10 @@ namespace {
 
 constexpr int max_tighter_retries = 3;  // of a substep of implicit Euler that gained energy
 constexpr double gross_gain = 1e-2;     // of the scene's energy, tolerated of implicit Euler: no integrator damps more
-// Newton steps in the halves of a substep. Without contacts, 5,000 slack links on a load of 10⁶ kg that turn about so
-// much in steps of a second take 4,200. With contacts, what takes more than 600 is seldom solved.
+// Newton steps in the halves of a substep. (5,000 slack links on a load of 10⁶ kg that turn about so much in steps of a
+// second take 4,200. With 600 near contacts, a ball shot at a cord went through it:
+// `*ShotAtTenAndAHundredRadiiATick*`.)
 constexpr int max_halved_work = 16000;
-constexpr int max_halved_work_in_contact = 600;
 // Times that a substep is halved, and its beginning: what was thrown apart finds back at once.
 constexpr int max_halvings = 10;
 constexpr int max_first_halvings = 20;
@@ -143,8 +143,7 @@ bool Substeps::halve(const StepContext& context, double time, double dt) {
   context.return_to_start();
   ++context.work.report.halvings;
   whole_ = context.state.start;
-  const Halving halving{time, context.work.report.iterations,
-                        context.contacts.empty() ? max_halved_work : max_halved_work_in_contact};
+  const Halving halving{time, context.work.report.iterations};
   const bool solved = take_halves(context, time, dt, 1, halving);
   context.state.start = whole_;
   return solved;
@@ -158,7 +157,7 @@ bool Substeps::take_halves(const StepContext& context, double time, double dt, i
     context.begin_substep(from, 0.5 * dt);
     if (Integrators::implicit_euler(context, from, 0.5 * dt)) continue;
     if (depth >= (from == halving.time ? max_first_halvings : max_halvings) ||
-        work.report.iterations - halving.iterations > halving.max_iterations ||
+        work.report.iterations - halving.iterations > max_halved_work ||
         work.halving_is_over(context.state.unlocking)) {
       return false;
     }

@@ -19,9 +19,8 @@ class Substeps {
  private:
   /// A substep of implicit Euler that is halved.
   struct Halving {
-    double time;         // s, start of the substep since the step began
-    int iterations;      // of the report before it
-    int max_iterations;  // from then on
+    double time;     // s, start of the substep since the step began
+    int iterations;  // of the report before it
   };
 
   bool take_second_order(const StepContext& context, double time, double dt, const CordEnergy& before);
