@@ -92,21 +92,15 @@ class PromiseTrial {
   }
 
   std::vector<PromiseRow> rows() {
-    std::string failure;
     try {
       const LevelFile varied = level_->varied(seed_);
       const Chosen chosen = choose_in(varied);
-      for (Run& run : runs_) try_in(varied, chosen, run);
+      for (Run& run : runs_) try_or_refuse(varied, chosen, run);
     } catch (const engine::MapError& error) {
-      failure = std::string("no such variation: ") + error.what();
+      for (Run& run : runs_) refuse(run, error);
     }
     std::vector<PromiseRow> all;
-    for (const Run& run : runs_) {
-      for (PromiseRow row : run.rows) {
-        if (!failure.empty()) row.failure = failure;
-        all.push_back(std::move(row));
-      }
-    }
+    for (const Run& run : runs_) all.insert(all.end(), run.rows.begin(), run.rows.end());
     return all;
   }
 
@@ -139,6 +133,19 @@ class PromiseTrial {
       chosen.by_promise.emplace_back(index_in(chosen.settings, recommended_for(promise.limits, setting)));
     }
     return chosen;
+  }
+
+  static void refuse(Run& run, const engine::MapError& error) {
+    for (PromiseRow& row : run.rows) row.failure = std::string("no such variation: ") + error.what();
+  }
+
+  /// With one player no cord may exist, with another one some.
+  void try_or_refuse(const LevelFile& varied, const Chosen& chosen, Run& run) const {
+    try {
+      try_in(varied, chosen, run);
+    } catch (const engine::MapError& error) {
+      refuse(run, error);
+    }
   }
 
   void try_in(const LevelFile& varied, const Chosen& chosen, Run& run) const {

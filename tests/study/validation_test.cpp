@@ -210,10 +210,12 @@ struct Tried {
   std::vector<PromiseRow> rows;
 };
 
-Tried tried_with(int runs, int players) {
+/// The study of the `refused`-th input, if any, says that no cord exists.
+Tried tried_with(int runs, int players, std::size_t refused = 0) {
   Tried tried;
   const Measure measure = [&](const LevelFile&, const Inputs& inputs, const StudyOptions& options) {
     tried.inputs.push_back(inputs);
+    if (tried.inputs.size() == refused) throw engine::MapError("no cord");
     Study study;
     for (const Setting& setting : options.grid) study.settings.push_back(measured_of(setting));
     return study;
@@ -250,6 +252,18 @@ TEST(Validation, AChoiceIsTriedWithSeveralPlayersARunEach) {
   std::set<std::vector<std::uint16_t>> all;
   for (const Inputs& inputs : several.inputs) all.insert(presses(inputs));
   EXPECT_EQ(all.size(), several.inputs.size());
+}
+
+TEST(Validation, APlayerWithoutCordsLeavesTheOthers) {
+  const Tried tried = tried_with(3, 3, 3);  // the first input is chosen with
+  ASSERT_EQ(tried.inputs.size(), 4U);
+  ASSERT_EQ(tried.rows.size(), 3U);
+  EXPECT_EQ(tried.rows[1].failure, "no such variation: no cord");
+  EXPECT_EQ(tried.rows[1].setting, "");
+  for (const std::size_t k : {0U, 2U}) {
+    EXPECT_EQ(tried.rows[k].failure, "");
+    EXPECT_TRUE(tried.rows[k].is_met);
+  }
 }
 
 TEST(Validation, PlayersThatDoNotDivideTheRunsAreRefused) {
