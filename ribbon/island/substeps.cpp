@@ -11,8 +11,8 @@ namespace {
 constexpr int max_tighter_retries = 3;  // of a substep of implicit Euler that gained energy
 constexpr double gross_gain = 1e-2;     // of the scene's energy, tolerated of implicit Euler: no integrator damps more
 // Newton steps in the halves of a substep. (5,000 slack links on a load of 10⁶ kg that turn about so much in steps of a
-// second take 4,200. With 600 near contacts, a ball shot at a cord went through it:
-// `*ShotAtTenAndAHundredRadiiATick*`.)
+// second take 4,200. With 600 near contacts, a ball shot at a loose cord lost its velocity instead of pushing the cord
+// away: `*ShotAtTenAndAHundredRadiiATick*`.)
 constexpr int max_halved_work = 16000;
 // Times that a substep is halved, and its beginning: what was thrown apart finds back at once.
 constexpr int max_halvings = 10;
