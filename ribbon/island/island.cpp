@@ -25,7 +25,8 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 /// A step in which something leaves its motion bound is redone with a larger one. One with tied points apart, in which
 /// a cord stretches or a substep does not converge, is redone: first with these points at their distance, then without
 /// their ties. A step in which a substep does not converge is redone with contacts that are linearised once, and with
-/// these ties again, unless they stretch a cord. In heaps, that solve is truncated.
+/// these ties again, unless they stretch a cord. In heaps, that solve is truncated. Where it leaves a cord stretched
+/// and the budget is large, the step is taken by halves after all, and what they do not solve is kept.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -44,8 +45,10 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   move_points_over_wheels(cords, tied, bodies, dt, true);
   ApartTies apart = ApartTies::drawn;
   int settled = 0;
+  bool keeps_unsolved = false;
   for (bool linearised = false;;) {
     begin_attempt(cords, tied, apart);
+    state_.keeps_unsolved = keeps_unsolved;
     state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
     const bool solved = take_substeps(linearised);
     if (state_.ties.apart && (!solved || is_stretched_by_step(state_))) {
@@ -54,6 +57,10 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       linearised = true;
       apart = ApartTies::kept;
       bounds_.enlarge_for_linearised();
+    } else if (linearised && !keeps_unsolved && work_.has_large_budget() &&
+               largest_strain(state_, state_.positions) > max_strain) {
+      linearised = false;
+      keeps_unsolved = true;
     } else if ((linearised || !bounds_.enlarge(state_)) && (++settled == max_settled || settle_wheels(state_))) {
       break;
     }

@@ -14,6 +14,7 @@ constexpr double gross_gain = 1e-2;     // of the scene's energy, tolerated of i
 // second take 4,200. With 600 near contacts, a ball shot at a loose cord lost its velocity instead of pushing the cord
 // away: `*ShotAtTenAndAHundredRadiiATick*`.)
 constexpr int max_halved_work = 16000;
+constexpr int max_unsolved_work = 4000;  // the same once a part is kept that is not solved
 // Times that a substep is halved, and its beginning: what was thrown apart finds back at once.
 constexpr int max_halvings = 10;
 constexpr int max_first_halvings = 20;
@@ -45,8 +46,14 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   context.begin_substep(time, dt);
   const CordEnergy before = context.energy_before();
   if (!take_second_order(context, time, dt, before)) {
-    if (!take_damped(context, time, dt, before)) return false;
-    context.guard.remove_spurious_motion(context.state, context.contacts, before);
+    if (take_damped(context, time, dt, before)) {
+      context.guard.remove_spurious_motion(context.state, context.contacts, before);
+    } else {
+      if (!context.state.keeps_unsolved) return false;
+      context.stages.store_corrections(context.state);
+      context.report_unconverged(0.0, 0.0);
+      context.guard.remove_spurious_energy(context.state, context.contacts, before);
+    }
   }
   end(context, before, dt, restitution);
   return true;
@@ -126,7 +133,7 @@ bool Substeps::take_halved(const StepContext& context, double time, double dt, c
   for (int k = 0;; ++k) {
     converged =
         (k != max_tighter_retries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
-    if (!converged || !context.gained_energy(before, gross_gain)) break;
+    if ((!converged && !state.keeps_unsolved) || !context.gained_energy(before, gross_gain)) break;
     converged = false;
     if (k == max_tighter_retries || work.halving_is_over(state.unlocking)) break;
     ++work.report.energy_gains;
@@ -143,29 +150,31 @@ bool Substeps::halve(const StepContext& context, double time, double dt) {
   context.return_to_start();
   ++context.work.report.halvings;
   whole_ = context.state.start;
-  const Halving halving{time, context.work.report.iterations};
+  Halving halving{time, context.work.report.iterations};
   const bool solved = take_halves(context, time, dt, 1, halving);
   context.state.start = whole_;
   return solved;
 }
 
-/// Takes implicit Euler in two halves, each of which is halved again where it does not converge. Returns false, in the
-/// midst of the substep, if that does not help.
-bool Substeps::take_halves(const StepContext& context, double time, double dt, int depth, const Halving& halving) {
+/// Takes implicit Euler in two halves, each of which is halved again where it does not converge. Returns false if that
+/// does not help: in the midst of the substep, unless such parts are kept.
+bool Substeps::take_halves(const StepContext& context, double time, double dt, int depth, Halving& halving) {
   StepWork& work = context.work;
   for (const double from : {time, time + 0.5 * dt}) {
     context.begin_substep(from, 0.5 * dt);
     if (Integrators::implicit_euler(context, from, 0.5 * dt)) continue;
     if (depth >= (from == halving.time ? max_first_halvings : max_halvings) ||
-        work.report.iterations - halving.iterations > max_halved_work ||
+        work.report.iterations - halving.iterations > (halving.solved ? max_halved_work : max_unsolved_work) ||
         work.halving_is_over(context.state.unlocking)) {
-      return false;
+      halving.solved = false;
+      if (!context.state.keeps_unsolved) return false;
+      continue;
     }
     context.return_to_start();
     ++work.report.halvings;
-    if (!take_halves(context, from, 0.5 * dt, depth + 1, halving)) return false;
+    if (!take_halves(context, from, 0.5 * dt, depth + 1, halving) && !context.state.keeps_unsolved) return false;
   }
-  return true;
+  return halving.solved;
 }
 
 }  // namespace ribbon

@@ -19,15 +19,16 @@ class Substeps {
  private:
   /// A substep of implicit Euler that is halved.
   struct Halving {
-    double time;     // s, start of the substep since the step began
-    int iterations;  // of the report before it
+    double time;         // s, start of the substep since the step began
+    int iterations;      // of the report before it
+    bool solved = true;  // all of its parts
   };
 
   bool take_second_order(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool take_damped(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool take_halved(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool halve(const StepContext& context, double time, double dt);
-  bool take_halves(const StepContext& context, double time, double dt, int depth, const Halving& halving);
+  bool take_halves(const StepContext& context, double time, double dt, int depth, Halving& halving);
   static bool accept(const StepContext& context, bool converged, const CordEnergy& before);
   static void end(const StepContext& context, const CordEnergy& before, double dt, Restitution& restitution);
 

@@ -166,8 +166,9 @@ struct IslandState {
   bool unlocking = false;  ///< inverted cells are turned back in this step
   bool restart = false;    ///< the accelerations are out of date
   bool jolted = false;     ///< a cord that runs through a groove changes its speed at once
-  bool touch_changed = false;  ///< a contact began or ended in the last substep
-  double now = 0.0;            ///< s, of the positions, since the step began
+  bool keeps_unsolved = false;  ///< a part of a substep that is not solved is kept as it is
+  bool touch_changed = false;   ///< a contact began or ended in the last substep
+  double now = 0.0;             ///< s, of the positions, since the step began
   Vec2 frame_velocity;  ///< m/s, of the inertial frame in which all that drives is at rest, so that it does no work
 
   // By slot:
