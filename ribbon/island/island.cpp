@@ -25,8 +25,9 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 /// A step in which something leaves its motion bound is redone with a larger one. One with tied points apart, in which
 /// a cord stretches or a substep does not converge, is redone: first with these points at their distance, then without
 /// their ties. A step in which a substep does not converge is redone with contacts that are linearised once, and with
-/// these ties again, unless they stretch a cord. In heaps, that solve is truncated. Where it leaves a cord stretched
-/// and the budget is large, the step is taken by halves after all, and what they do not solve is kept.
+/// these ties again, unless they stretch a cord. In heaps, that solve is truncated. Where it leaves a cord
+/// stretched that nothing drives, and the budget is large, the step is taken by halves after all, and what they do not
+/// solve is kept.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -57,7 +58,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       linearised = true;
       apart = ApartTies::kept;
       bounds_.enlarge_for_linearised();
-    } else if (linearised && !keeps_unsolved && work_.has_large_budget() &&
+    } else if (linearised && !keeps_unsolved && work_.has_large_budget() && !state_.driven &&
                largest_strain(state_, state_.positions) > max_strain) {
       linearised = false;
       keeps_unsolved = true;

@@ -85,9 +85,8 @@ CordDef cord_to_hit(const Shot& shot, Dice& dice) {
 /// - a ring with both ends pinned at one place, if it started inside and is outside;
 /// - a taut cord between two pins, if it is between them on the other side, or left straight through. (It may slide
 ///   along the cord and around a pin.)
-/// - a cord with a free end, if it is on the other side and the cord did not move. (It may pass around the end, but
-/// then
-///   the cord moves.)
+/// - a cord with a free end, if it is on the other side and the cord did not move. (If it passes around the end, the
+///   cord moves.)
 Outcome fly(ContactWorld& world, int ball, double radius, Hung hung) {
   Outcome outcome;
   const bool below = is_below(world.cord.positions(), world.body(ball).position);
@@ -309,7 +308,6 @@ Tally whip_many(const Whip& scene, int tries) {
 void expect_none_through(const Whip& scene, int tries) {
   const Tally tally = whip_many(scene, tries);
   EXPECT_EQ(tally.through, 0) << "seeds " << testing::PrintToString(tally.seeds);
-  EXPECT_EQ(tally.stopped, 0) << "seeds " << testing::PrintToString(tally.seeds);
   EXPECT_EQ(tally.lost, 0) << "seeds " << testing::PrintToString(tally.seeds);
   EXPECT_LE(tally.depth, half_a_thickness);
 }
