@@ -120,6 +120,15 @@ std::string source_in_words(const Measured& m) {
   return greatest == nullptr ? "" : greatest->words;
 }
 
+/// What a setting has spent in a study, from the best on: what spends the usual budget of work with these players
+/// leaves ticks unconverged with others.
+enum class Spending { none, ample_budget, usual_budget };
+
+Spending spending_of(const Measured& m) {
+  if (!spends_budget(m)) return Spending::none;
+  return m.setting.max_work >= ample_work ? Spending::ample_budget : Spending::usual_budget;
+}
+
 std::string time_in_words(double us) {
   return us < 1000.0 ? significant(us, 3) + " us" : significant(1e-3 * us, 3) + " ms";
 }
@@ -155,9 +164,9 @@ Choice choose(const Study& study, const Limits& limits, const Calibration& calib
   Choice choice;
   const auto is_better = [&](std::size_t a, std::size_t b) {
     if (!limits.max_error_m) return points[a].error_m < points[b].error_m;
-    const bool a_spends = spends_budget(study.settings[a]);
-    if (a_spends != spends_budget(study.settings[b])) return !a_spends;
-    return points[a].cost_us < points[b].cost_us;
+    const Spending a_spends = spending_of(study.settings[a]);
+    const Spending b_spends = spending_of(study.settings[b]);
+    return a_spends != b_spends ? a_spends < b_spends : points[a].cost_us < points[b].cost_us;
   };
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].failure.empty() || points[k].not_compared || !std::isfinite(points[k].error_m)) continue;

@@ -54,7 +54,8 @@ struct Choice {
 };
 
 /// Chooses among the level's own cords (see applicable): with max_error_m the cheapest setting, one that spends its
-/// budget of work only if no other one meets the limits; else the most exact one.
+/// budget of work only if no other one meets the limits, and then one with ample_work if there is one; else the most
+/// exact one.
 Choice choose(const Study& study, const Limits& limits, const Calibration& calibration);
 
 /// Returns what is recommended for the limits where a setting is chosen: with max_error_m with ample_work, because

@@ -161,6 +161,15 @@ TEST(Limits, WhatSpendsItsBudgetOfWorkIsTheLastChoiceForAnError) {
   }
 }
 
+TEST(Limits, OfSettingsThatSpendTheirBudgetsAnAmpleOneIsBetterForAnError) {
+  Study study = three();
+  for (Measured& m : study.settings) m.work.posed = 1;
+  EXPECT_EQ(choose(study, {.max_error_m = 1e-2}, calibrate(study)).setting, 0U);
+  study.settings[1].setting.max_work = ample_work;
+  EXPECT_EQ(choose(study, {.max_error_m = 1e-2}, calibrate(study)).setting, 1U);
+  EXPECT_EQ(choose(study, {.median_us = 20.0}, calibrate(study)).setting, 0U) << "one for a budget alone";
+}
+
 TEST(Limits, WhatIsRecommendedForAnErrorHasAnAmpleBudgetOfWork) {
   Measured chosen;
   EXPECT_EQ(recommended_for({.max_error_m = 1e-2}, chosen).max_work, ample_work);

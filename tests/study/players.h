@@ -15,7 +15,7 @@ using Inputs = std::vector<engine::TickInput>;
 Inputs random_inputs(unsigned seed, int ticks);
 
 /// A recommended setting must keep the error with this number of other players too.
-inline constexpr std::size_t judging_players = 4;
+inline constexpr std::size_t judging_players = 8;
 
 /// The cords that a player meets in a level with the cords' own settings.
 struct Meetings {

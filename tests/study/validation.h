@@ -54,11 +54,11 @@ std::vector<std::pair<std::string, std::vector<std::pair<std::string, Tally>>>> 
 struct ValidationOptions {
   std::vector<Promise> promises = promises_of({});
   int runs = 100;
-  int players = 1;                 ///< tried with each choice of settings; divides runs
-  int ticks = 120;                 ///< of each input
-  std::size_t others = 4;          ///< number of players, beside the first, that a setting is chosen with
-  std::vector<Inputs> recorded{};  ///< by level: of another such player; without any none
-  Shard shard;                     ///< of the choices for all levels, which alternate
+  int players = 1;                       ///< tried with each choice of settings; divides runs
+  int ticks = 120;                       ///< of each input
+  std::size_t others = judging_players;  ///< number of players, beside the first, that a setting is chosen with
+  std::vector<Inputs> recorded{};        ///< by level: of another such player; without any none
+  Shard shard;                           ///< of the choices for all levels, which alternate
 };
 
 using Measure =
