@@ -121,7 +121,7 @@ std::string source_in_words(const Measured& m) {
 }
 
 /// What a setting has spent in a study, from the best on: what spends the usual budget of work with these players
-/// leaves ticks unconverged with others.
+/// may leave ticks unconverged with others.
 enum class Spending { none, ample_budget, usual_budget };
 
 Spending spending_of(const Measured& m) {
