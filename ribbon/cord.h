@@ -157,12 +157,14 @@ class Cord {
     std::vector<Holder> holders;     ///< see Cord::holders
     std::vector<Touch> touches;      ///< see Cord::touches
     bool touch_changed = false;      ///< a contact began or ended in the last step
-    double regainable_energy = 0.0;  ///< J, energy that later substeps may gain back
-    double energy_drift = 0.0;       ///< J, lost since the cord was created; negative if gained
-    bool damping_excluded = false;   ///< the tensions are those of the elastic part only
-    bool restart = true;             ///< the next step does not use the accelerations
-    double rest_time = 0.0;          ///< s, rest time so far, up to time_to_sleep
-    bool asleep = false;             ///< see Cord::is_asleep
+    /// Share of its unexplained penetrations that the next step removes, above 0, at most 1.
+    double depenetration_share = 1.0;
+    double regainable_energy = 0.0;       ///< J, energy that later substeps may gain back
+    double energy_drift = 0.0;            ///< J, lost since the cord was created; negative if gained
+    bool damping_excluded = false;        ///< the tensions are those of the elastic part only
+    bool restart = true;                  ///< the next step does not use the accelerations
+    double rest_time = 0.0;               ///< s, rest time so far, up to time_to_sleep
+    bool asleep = false;                  ///< see Cord::is_asleep
     std::uint64_t surroundings_hash = 0;  ///< hash of its surroundings at rest; 0 if they moved
     bool operator==(const State&) const = default;
   };

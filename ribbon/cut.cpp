@@ -158,6 +158,7 @@ void take_energies_and_origin(const Cord::State& from, const Columns& columns, C
   to.regainable_energy = std::min(0.0, share * from.regainable_energy);
   to.energy_drift = share * from.energy_drift;
   to.damping_excluded = from.damping_excluded;
+  to.depenetration_share = from.depenetration_share;
   to.family = from.family;
   to.split = from.split;
   if (columns.first == 0) to.joined_first = from.joined_first;

@@ -31,12 +31,13 @@ void restore_touch(const StoredTouches& touches, ContactPair& pair) {
 }
 
 /// Reduces the contact distance of a pair that penetrates deeply, for example because a body was moved without regard
-/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several.
-void limit_penetration(const IslandState& state, double distance, double size, ContactPair& pair) {
+/// to cords. The contact does not get the energy of that depth; the penetration ends over one step or several. This
+/// step removes no more than its share.
+void limit_penetration(const IslandState& state, double distance, double size, double share, ContactPair& pair) {
   const double depth = pair.contact_distance - distance;
   if (depth > deep_share * size) pair.contact_distance = distance + depenetrated_share * depth;
   pair.initial_penetration = std::max(0.0, pair.contact_distance - distance - pair.touch.force / pair.stiffness);
-  const double max_in = state.dt * max_depenetration_speed;
+  const double max_in = std::min(state.dt * max_depenetration_speed, share * pair.initial_penetration);
   if (pair.initial_penetration > max_in) {
     pair.contact_distance -= pair.initial_penetration - max_in;
     pair.initial_penetration = max_in;
@@ -112,7 +113,7 @@ void add_pair(const IslandState& state, Contacts& contacts, const PairSurfaces& 
     pair.parting = parting_direction(state, pair, gap);
   }
   limit_penetration(state, gap.distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
-                    pair);
+                    member.cord->state.depenetration_share, pair);
   contacts.scene.add(pair);
 }
 

@@ -19,6 +19,20 @@ constexpr std::size_t heap_cords = 8;      // a heap has so many or more,
 constexpr std::size_t heap_pairs = 600;    // and of so many points and links that may touch
 constexpr int max_settled = 6;             // times that a step finds out which cords slip in their grooves
 constexpr std::size_t usual_touches = 16;  // of a cord that may touch something: it has memory for so many
+// Of Cord::State::depenetration_share: factors after a step that was taken back, and after any other; the least share.
+constexpr double slower_depenetration = 0.25;
+constexpr double faster_depenetration = 2.0;
+constexpr double min_depenetration_share = 1.0 / 32.0;
+
+/// Removing a penetration takes energy, f·p of a contact that presses with f. If the step gained it and was taken back,
+/// the next one would do the same, and hang. So it removes less, and later ones more again.
+void store_depenetration(const IslandState& state) {
+  for (const Member& member : state.members) {
+    double& share = member.cord->state.depenetration_share;
+    share = state.taken_back ? std::max(min_depenetration_share, slower_depenetration * share)
+                             : std::min(1.0, faster_depenetration * share);
+  }
+}
 
 }  // namespace
 
@@ -122,6 +136,7 @@ void Island::end_step() {
   store_cords(state_);
   guard_.store(state_);
   store_touches();
+  store_depenetration(state_);
   store_bodies(state_);
   store_support_forces(state_);
   count_rest_time(state_, work_.report);

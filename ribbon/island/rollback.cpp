@@ -41,6 +41,7 @@ bool Rollback::apply(const StepContext& context, const CordEnergy& before, bool 
   take_stretched_back(context);
   if (is_sound()) return true;
   if (!truncated) context.contacts.linearised.clear();
+  state.taken_back = true;
   double share = 1.0;
   for (int k = 0; k < max_halvings && !is_sound(); ++k) {
     share = k + 1 < max_halvings ? 0.5 * share : 0.0;

@@ -16,8 +16,9 @@ constexpr int impact_linearisations = 2;     // of a piece that takes an impact:
 constexpr int miss_linearisations = 3;       // more, for each time of
 constexpr int max_misses = 4;                // times that contacts are linearised which the solution would have missed
 constexpr int truncated_linearisations = 4;  // at most, of a truncated solve
-constexpr double shrinking = 0.5;   // of the last correction of a truncated solve, the most that the next one may be
-constexpr double far_share = 10.0;  // tolerances: a larger correction is far from the solution
+constexpr double shrinking = 0.5;  // of the last correction of a truncated solve, the most that the next one may be
+// Tolerances: after a larger correction the next linearisation is far from the solution, while contacts are looked for.
+constexpr double far_share = 0.1;
 constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
 constexpr double torn_ratio = 1e7;  // of a tension to the link's inertia times its length: more than anything possible

@@ -133,6 +133,7 @@ std::unique_ptr<CordParts> split_piece(const CordParts& whole, int row, int side
   for (double& force : to.breaking_forces) force *= rows.share();
   to.regainable_energy = std::min(0.0, rows.share() * from.regainable_energy);  // what follows a cut is not smooth
   to.energy_drift = rows.share() * from.energy_drift;
+  to.depenetration_share = from.depenetration_share;
   to.family = from.family;
   to.joined_first = from.joined_first;
   to.joined_last = from.joined_last;

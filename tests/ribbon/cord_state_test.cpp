@@ -61,6 +61,7 @@ TEST(CordSameBits, AStateWithAllFieldsIsRestoredCompletely) {
   refused([](Cord::State& s) { s.rest_targets[2] = -1.0; });
   refused([](Cord::State& s) { s.kinds[1] = static_cast<PointKind>(77); });
   refused([](Cord::State& s) { s.tensions[0] = nan; });
+  for (const double share : {0.0, 1.5, nan}) refused([share](Cord::State& s) { s.depenetration_share = share; });
   refused([](Cord::State& s) { s.regainable_energy = nan; });
   refused([](Cord::State& s) { s.energy_drift = nan; });
   refused([](Cord::State& s) { s.holders.push_back({99, {}, 0.0, {}, 0.0, 0, {}, 0.0}); });
