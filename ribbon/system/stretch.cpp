@@ -35,7 +35,8 @@ double largest_strain(const IslandState& state, std::span<const Vec2> x) {
 }
 
 bool became_stretched(const IslandState& state, double strain) {
-  return largest_strain(state, state.positions) > std::max(strain, largest_strain(state, state.start.positions));
+  const double now = largest_strain(state, state.positions);
+  return now > strain && now > largest_strain(state, state.start.positions);
 }
 
 bool is_stretched(const IslandState& state, const Member& member) {
