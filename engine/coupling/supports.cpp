@@ -50,23 +50,26 @@ struct NearFixture {
   double reach;
 };
 
-/// Appends the place where a child of each of two fixtures that do not touch are nearest to each other.
+/// Appends the place where a child of each of two fixtures that do not touch are nearest to each other. The normal is
+/// that between their shapes without radii: the surfaces may be nearer to each other than single precision tells.
 void append_nearest(const NearFixture& near, int own_child, int other_child, std::vector<Support>& supports) {
   b2DistanceInput input;
   input.proxyA.Set(near.own.GetShape(), own_child);
   input.proxyB.Set(near.other.GetShape(), other_child);
   input.transformA = near.own.GetBody()->GetTransform();
   input.transformB = near.other.GetBody()->GetTransform();
-  input.useRadii = true;
+  input.useRadii = false;
   b2SimplexCache cache;
   cache.count = 0;
   b2DistanceOutput nearest;
   b2Distance(&nearest, &cache, &input);
   const Vec2 to_body = to_double(nearest.pointA) - to_double(nearest.pointB);
-  const double distance = length(to_body);
-  if (!(nearest.distance > 0.0F && distance < near.reach)) return;
-  supports.push_back(
-      support_by(*near.other.GetBody(), *near.own.GetBody(), nearest.pointA, (1.0 / distance) * to_body, distance));
+  const double own_radius = static_cast<double>(input.proxyA.m_radius);
+  const double distance = length(to_body) - own_radius - static_cast<double>(input.proxyB.m_radius);
+  if (!(distance > 0.0 && distance < near.reach)) return;
+  const Vec2 normal = (1.0 / length(to_body)) * to_body;
+  const b2Vec2 place = to_float(to_double(nearest.pointA) - own_radius * normal);
+  supports.push_back(support_by(*near.other.GetBody(), *near.own.GetBody(), place, normal, distance));
 }
 
 /// Collects each fixture once, although Box2D reports it for each of its children.

@@ -11,6 +11,7 @@
 
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/coupling.h"
+#include "ribbon/box2d/supports.h"
 #include "ribbon/layout.h"
 #include "ribbon/pulley.h"
 #include "tests/support/shape_world.h"
@@ -157,6 +158,34 @@ TEST(Supports, OfABodyStoppedOffItsCordAreOnlyWhatItCollidesWith) {
   EXPECT_EQ(path_over(Wedge{.is_sensor = true}), alone);
   EXPECT_EQ(path_over(Wedge{.passes_filter = false}), alone);
   EXPECT_EQ(path_over(Wedge{.has_joint = true}), path_over(Wedge{.passes_filter = false, .has_joint = true}));
+}
+
+/// The surfaces of these are nearer to each other than the resolution of their places. A normal between equal places
+/// was not a number, and the tick threw.
+TEST(Supports, OfBodiesThatNearlyTouchHaveNormals) {
+  int found = 0;
+  for (int k = 0; k < 400; ++k) {
+    b2World world({0.0F, 0.0F});
+    b2BodyDef def;
+    def.position = {7.0F + 0.137F * static_cast<float>(k), 0.0F};
+    b2CircleShape circle;
+    circle.m_radius = 0.2F;
+    world.CreateBody(&def)->CreateFixture(&circle, 0.0F);
+    def.type = b2_dynamicBody;
+    def.position.x = std::nextafter(def.position.x + 0.3F, 1e3F);
+    b2Body* const ball = world.CreateBody(&def);
+    circle.m_radius = 0.1F;
+    ball->CreateFixture(&circle, 1.0F);
+    std::vector<b2Fixture*> memory;
+    std::vector<ribbon::Support> supports;
+    ribbon::box2d::append_supports(*ball, {0, 0.05, memory}, supports);
+    for (const ribbon::Support& support : supports) {
+      EXPECT_NEAR(support.normal.x, 1.0, 1e-12) << k;
+      EXPECT_EQ(support.normal.y, 0.0) << k;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 100);
 }
 
 /// A load of 98 N presses a box of 1 kg on a wall. Friction holds it, because Box2D feels the pressure.
