@@ -168,7 +168,7 @@ struct IslandState {
   bool jolted = false;     ///< a cord that runs through a groove changes its speed at once
   bool keeps_unsolved = false;  ///< a part of a substep that is not solved is kept as it is
   bool touch_changed = false;   ///< a contact began or ended in the last substep
-  bool taken_back = false;      ///< motion of the step was taken back because energy was gained
+  bool taken_back = false;      ///< motion was taken back for more than stretched links: energy was gained
   double now = 0.0;             ///< s, of the positions, since the step began
   Vec2 frame_velocity;  ///< m/s, of the inertial frame in which all that drives is at rest, so that it does no work
 

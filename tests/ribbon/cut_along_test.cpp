@@ -169,6 +169,17 @@ TEST(CutAlong, OfBarsKeepsMassAndMomentum) {
   }
 }
 
+/// Otherwise a piece could hang in the penetration that the cord had stopped removing.
+TEST(CutAlong, PiecesRemovePenetrationsAsSlowlyAsTheCordDid) {
+  Cord cord = swinging_ribbon(ribbon_of(4, 1.0));
+  Cord::State state = cord.save();
+  state.depenetration_share = 0.25;
+  cord.restore(state);
+  const CutPieces pieces = cut(cord, cut_along(cord, 1));
+  EXPECT_EQ(pieces.first->save().depenetration_share, 0.25);
+  EXPECT_EQ(pieces.second->save().depenetration_share, 0.25);
+}
+
 TEST(CutAlong, GivesWhatIsAttachedToItsSide) {
   Cord cord = swinging_ribbon(ribbon_of(4, 1.0));
   cord.attach_mass(cord.index(6, 1), 0.5);
