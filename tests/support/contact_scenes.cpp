@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "game/lab/scene_list.h"
+#include "ribbon/box2d/convert.h"
 #include "tests/support/dice.h"
 #include "tests/support/slot.h"
 
@@ -171,13 +172,13 @@ std::vector<Vec2> wound(int points, double link, double radius, double pitch) {
   return line;
 }
 
-void wind_coil(CoupledWorld& world, int rows, double friction) {
+void wind_coil(CoupledWorld& world, int rows, double friction, double looseness) {
   constexpr double post = 0.3;
   const double link = rows > 1 ? 0.1 : 0.05;
   constexpr double radius = 0.01;
   const double half = radius + (rows > 1 ? 0.5 * strip_width : 0.0);
   const double start = post + 1.2 * half;
-  const double pitch = 2.6 * half;
+  const double pitch = 2.0 * looseness * half;
   // Four turns of this many links, and a straight end.
   const int links = static_cast<int>(std::lround(4.0 * 2.0 * pi * (start + 2.0 * pitch) / link));
   std::vector<Vec2> line = wound(links + 1, link, start, pitch);
@@ -197,6 +198,16 @@ void pull_coil(CoupledWorld& world, double force) {
   const int last = static_cast<int>(x.size()) - 1;
   const Vec2 along = x[slot(last)] - x[slot(last - rows)];
   for (int j = 0; j < rows; ++j) world.pull(0, last - j, (force / (rows * length(along))) * along);
+}
+
+void haul_coil(CoupledWorld& world, double speed) {
+  const std::vector<Vec2> x = world.points(0);
+  const int rows = world.def(0).rows;
+  const int last = static_cast<int>(x.size()) - 1;
+  const Vec2 along = x[slot(last)] - x[slot(last - rows)];
+  b2Body& hauler = world.add_load(b2_kinematicBody, x[slot(last)], 0.0, 0.0);
+  for (int j = 0; j < rows; ++j) world.hold(0, last - j, hauler);
+  hauler.SetLinearVelocity(ribbon::box2d::to_float((speed / length(along)) * along));
 }
 
 void stand_in_bucket(CoupledWorld& world, int rows, double friction) {

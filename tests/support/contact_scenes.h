@@ -32,10 +32,13 @@ void hang_hall(CoupledWorld& world, unsigned seed = 1);
 /// out after each turn.
 std::vector<ribbon::Vec2> wound(int points, double link, double radius, double pitch);
 /// A cord with four loose counter-clockwise turns around a static circle of 0.3 m radius at the origin, and 1 m more.
-/// Its inner end is pinned. With two `rows` it is a ribbon 3 cm wide.
-void wind_coil(CoupledWorld& world, int rows, double friction);
+/// Its inner end is pinned. With two `rows` it is a ribbon 3 cm wide. The turns are `looseness` times as far apart as
+/// turns that touch.
+void wind_coil(CoupledWorld& world, int rows, double friction, double looseness = 1.3);
 /// Sets the force that pulls the coil's end, N.
 void pull_coil(CoupledWorld& world, double force);
+/// A kinematic body hauls the coil's end straight away, at a speed [m/s].
+void haul_coil(CoupledWorld& world, double speed);
 
 /// 5 m of cord, upright and almost straight in a bucket 1 m wide. With two `rows` it is a ribbon 3 cm wide.
 void stand_in_bucket(CoupledWorld& world, int rows, double friction);

@@ -9,6 +9,7 @@ using test_support::CoupledWorld;
 
 constexpr double coil_friction = 0.3;
 constexpr double pull = 20.0;  // N
+constexpr int tightening_ticks = 24;
 
 /// Numbers of ticks.
 struct Length {
@@ -35,6 +36,21 @@ void add(std::vector<Variant>& list, const NamedMethod& method, int rows, Length
                           false,
                           {0.0, -9.81},
                           figures}));
+}
+
+/// Adds a coil so loose that hauling it tight takes longer than the timed ticks.
+void add_tightened(std::vector<Variant>& list, const NamedMethod& method, int rows) {
+  constexpr double looseness = 2.5;
+  constexpr double speed = 3.0;  // m/s
+  list.push_back(variant({method,
+                          rows > 1 ? "ribbon" : "rope",
+                          [rows](CoupledWorld& world) {
+                            test_support::wind_coil(world, rows, coil_friction, looseness);
+                            test_support::haul_coil(world, speed);
+                          },
+                          false,
+                          {},
+                          [](CoupledWorld& world) { return figures_of(world, run(world, tightening_ticks)); }}));
 }
 
 Scene coil(const std::string& name, const std::string& length_note, Length length) {
@@ -70,6 +86,25 @@ Scene coil_scene() {
 Scene short_coil_scene() {
   return coil("coil_short", "The first second and a half of each; `tradeoff --scene coil` runs for five.",
               {90, 90, 20});
+}
+
+Scene tightened_coil_scene() {
+  const auto variants = [] {
+    std::vector<Variant> list;
+    for (const NamedMethod& method : together(presets({"fast", "balanced"}), chains({1, 4, 16}, true)))
+      add_tightened(list, method, 1);
+    for (const NamedMethod& method : presets({"fast", "balanced"})) add_tightened(list, method, 2);
+    return list;
+  };
+  return {"coil_tightened",
+          "a rope or ribbon wound loosely, four turns around a circle, and hauled tight at 3 m/s",
+          tightening_ticks,
+          variants,
+          contact_columns(),
+          {},
+          {"The ticks end before the rope is tight.", "Box2D has no ribbons.", no_b2_rope},
+          {},
+          5};
 }
 
 }  // namespace tradeoff

@@ -5,8 +5,8 @@
 namespace tradeoff {
 
 std::vector<Scene> contact_scenes() {
-  return {mass_ratio_scene(), drape_scene(),  bridge_scene(),     capstan_scene(),     cords_and_circles_scene(),
-          coil_scene(),       strips_scene(), short_coil_scene(), short_strips_scene()};
+  return {mass_ratio_scene(), drape_scene(),          bridge_scene(), capstan_scene(),    cords_and_circles_scene(),
+          coil_scene(),       tightened_coil_scene(), strips_scene(), short_coil_scene(), short_strips_scene()};
 }
 
 }  // namespace tradeoff

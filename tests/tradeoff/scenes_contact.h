@@ -11,6 +11,7 @@ Scene bridge_scene();
 Scene capstan_scene();
 Scene cords_and_circles_scene();
 Scene coil_scene();
+Scene tightened_coil_scene();
 Scene strips_scene();
 // Shorter versions for the standard report:
 Scene short_coil_scene();
