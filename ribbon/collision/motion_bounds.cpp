@@ -7,6 +7,7 @@
 #include "ribbon/geometry/separation.h"
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_in_medium.h"
+#include "ribbon/system/overstretch.h"
 
 namespace ribbon {
 namespace {
@@ -59,7 +60,7 @@ double MotionBounds::bound_of(const CordParts& parts, const Surroundings& surrou
   const double pull = std::min(cord.rest[0], dt * dt * pulled);  // links stop what would go further
   return link_share * cord.rest[0] +
          2.0 * dt * dt * std::max(1.0, std::abs(parts.def.gravity_scale)) * length(gravity) + turned + pull +
-         dt * max_medium_push(parts, surroundings, dt, gravity).delta_v;
+         dt * max_medium_push(parts, surroundings, dt, gravity).delta_v + regained_length(parts);
 }
 
 void MotionBounds::begin_step(std::size_t members) {

@@ -13,7 +13,8 @@ namespace ribbon {
 class MotionBounds {
  public:
   /// Returns the bound of a cord that nothing hits hard, m: a quarter of a link, twice the fall, 0.3 of its own
-  /// displacement, that by its loads (at most a link), and that of the fastest body near it.
+  /// displacement, that by its loads (at most a link), that of the fastest body near it, and what overstretched links
+  /// regain.
   static double bound_of(const CordParts& cord, const Surroundings& surroundings, std::span<const RigidBody> bodies,
                          double dt, Vec2 gravity);
 

@@ -79,7 +79,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
     } else if ((linearised || !bounds_.enlarge(state_)) && (++settled == max_settled || settle_wheels(state_))) {
       break;
     }
-    reset_reels(state_);
+    reset_rest_lengths(state_);
     move_points_over_wheels(cords, tied, bodies, dt, false);
   }
   work_.report.work += contacts_.scene.candidates.take_checks();

@@ -184,6 +184,7 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
     restore_momentum(state, contacts);
     if (EnergyGuard::is_pushed(state, contacts)) changed = limit_speeds(state) || changed;
   }
+  if (state.overstretched) changed = limit_speeds(state) || changed;
   context.guard.measure(state, contacts);
   was_pushed_ = was_pushed_ || EnergyGuard::is_pushed(state, contacts);
   state.restart = true;

@@ -139,7 +139,7 @@ void count_rest_time(const IslandState& state, const IslandReport& report) {
     Cord::State& of_cord = member.cord->state;
     const std::uint64_t hash = hash_at_rest(cord, member.surroundings, state.rigid, state.gravity, false);
     const bool rests = hash != 0 && hash == of_cord.surroundings_hash && report.unconverged == 0 &&
-                       report.unlocked == 0 && !cord.is_reeling() &&
+                       report.unlocked == 0 && !cord.is_reeling() && !state.overstretched &&
                        std::all_of(of_cord.velocities.begin(), of_cord.velocities.end(), is_slow);
     of_cord.rest_time = rests ? std::min(of_cord.rest_time + state.dt, Cord::time_to_sleep) : 0.0;
     of_cord.surroundings_hash = hash;

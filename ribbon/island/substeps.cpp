@@ -68,6 +68,7 @@ void Substeps::end(const StepContext& context, const CordEnergy& before, double 
     restore_momentum(state, contacts);
     context.guard.measure(state, contacts);
   }
+  if (state.overstretched) limit_speeds(state);
   context.guard.account(state, contacts, before);
   if (contacts.empty()) return;
   state.touch_changed = contacts.active.changed();

@@ -87,8 +87,8 @@ void StageSolver::place_driven(IslandState& state, double time) {
   }
 }
 
-/// What a cord alone declares: loads, drag, and rest lengths while it is reeled. Drag acts on the cord's own mass and
-/// not on what is attached to it: with c = drag·m,
+/// What a cord alone declares: loads, drag, and rest lengths that change in the step. Drag acts on the cord's own mass
+/// and not on what is attached to it: with c = drag·m,
 ///
 ///     −c·v = −c·ṽ − q·c·a.
 void StageSolver::load_member(const IslandState& state, const Member& member, const StageRequest& request) {
@@ -102,7 +102,7 @@ void StageSolver::load_member(const IslandState& state, const Member& member, co
       force_[p] -= c * prediction.velocities[p];
     }
   }
-  if (state.reeling && !cord.state.rest_targets.empty()) {
+  if (state.reeling && !cord.rest_start.empty()) {
     const double share = request.time / state.dt;
     for (std::size_t e = 0; e < cord.state.rest.size(); ++e) {
       cord.state.rest[e] = cord.rest_start[e] + share * (cord.rest_end[e] - cord.rest_start[e]);

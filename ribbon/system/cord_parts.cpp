@@ -103,6 +103,8 @@ void CordParts::start() {
   sweep.reset();
   rest_start.clear();
   rest_end.clear();
+  own_rest_start.clear();
+  own_rest_end.clear();
   own_masses.clear();
   write_outline(def, outline);
   write_initial_positions(def, state.positions);

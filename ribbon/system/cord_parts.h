@@ -31,6 +31,8 @@ struct CordParts {
 
   std::size_t size() const { return state.positions.size(); }
   bool is_reeling() const { return !state.rest_targets.empty() && state.rest != state.rest_targets; }
+  /// Returns whether the rest lengths of this step are those of overstretched links; see system/overstretch.h.
+  bool is_overstretched() const { return !own_rest_start.empty(); }
   /// Returns whether it collides with other cords.
   bool meets_cords() const { return def.cord_contact || (def.self_contact && state.family != 0); }
   /// Returns whether it is a piece of the same cord as another.
@@ -74,11 +76,12 @@ struct CordParts {
   std::unique_ptr<Elasticity> elasticity;
   Cord::State state;               // `unlocked` is empty: the elasticity stores it
   std::vector<double> own_masses;  // kg, by point, without attached masses
-  // m, rest lengths by link at the start and at the end of the step; empty until something is reeled.
+  // m, rest lengths by link at the start and at the end of the step; empty until something is reeled or overstretched.
   std::vector<double> rest_start, rest_end;
-  std::vector<char> on_wheels;      // by link: 1 if it is left to a wheel; empty without pulleys
-  std::vector<WheelReach> reaches;  // by pulley, in a step
-  std::vector<int> outline;         // the points around which the cord can be touched, in order
+  std::vector<double> own_rest_start, own_rest_end;  // the same without overstretched links; empty if none is
+  std::vector<char> on_wheels;                       // by link: 1 if it is left to a wheel; empty without pulleys
+  std::vector<WheelReach> reaches;                   // by pulley, in a step
+  std::vector<int> outline;                          // the points around which the cord can be touched, in order
 
  private:
   void start();

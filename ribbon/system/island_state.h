@@ -162,10 +162,11 @@ struct IslandState {
   bool coupled = false;    ///< false: a single cord whose bodies hold one point each, which its own solver can solve
   bool driven = false;     ///< drives at several velocities, reels or unlocked cells change the energy
   bool in_medium = false;  ///< a medium acts on a cord and changes the energy
-  bool reeling = false;    ///< a reel changes rest lengths
-  bool unlocking = false;  ///< inverted cells are turned back in this step
-  bool restart = false;    ///< the accelerations are out of date
-  bool jolted = false;     ///< a cord that runs through a groove changes its speed at once
+  bool reeling = false;    ///< rest lengths change in the step
+  bool overstretched = false;   ///< links of a cord regain their lengths, and no speed by it
+  bool unlocking = false;       ///< inverted cells are turned back in this step
+  bool restart = false;         ///< the accelerations are out of date
+  bool jolted = false;          ///< a cord that runs through a groove changes its speed at once
   bool keeps_unsolved = false;  ///< a part of a substep that is not solved is kept as it is
   bool touch_changed = false;   ///< a contact began or ended in the last substep
   bool taken_back = false;      ///< motion was taken back for more than stretched links: energy was gained

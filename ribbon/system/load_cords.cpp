@@ -8,6 +8,7 @@
 #include "ribbon/linear/index.h"
 #include "ribbon/system/cord_in_medium.h"
 #include "ribbon/system/grips.h"
+#include "ribbon/system/overstretch.h"
 #include "ribbon/system/stretch.h"
 #include "ribbon/system/supports.h"
 #include "ribbon/system/tie_groups.h"
@@ -31,8 +32,8 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 }
 
 void reset(IslandState& state) {
-  state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking = state.restart = state.jolted =
-      state.keeps_unsolved = state.taken_back = false;
+  state.overstretched = state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking =
+      state.restart = state.jolted = state.keeps_unsolved = state.taken_back = false;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();
@@ -330,6 +331,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
     add_wheels(state, member);
     member.pressing_mass = pressing_mass(state, member);
     load_reel(state, member);
+    load_overstretch(state, member);
     member.cord->include_damping();
     copy_to(IslandState::tensions_of(member, state.tensions), member.cord->state.tensions);
     state.unlocking = member.cord->elasticity->unlock(member.cord->state.positions) || state.unlocking;
@@ -345,9 +347,10 @@ void load_bodies(IslandState& state) {
   state.coupled = !is_single_cord(state);
 }
 
-void reset_reels(const IslandState& state) {
+void reset_rest_lengths(const IslandState& state) {
   for (const Member& member : state.members) {
     CordParts& cord = *member.cord;
+    reset_overstretch(cord);
     if (!cord.state.rest_targets.empty()) cord.state.rest = cord.rest_start;
   }
 }

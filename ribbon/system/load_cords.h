@@ -13,7 +13,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
                 ApartTies apart);
 /// Reads the bodies that hold or may touch the cords, after all of them were added and the state was resized.
 void load_bodies(IslandState& state);
-/// Returns reels to where the step began.
-void reset_reels(const IslandState& state);
+/// Returns rest lengths to what they were when the step began.
+void reset_rest_lengths(const IslandState& state);
 
 }  // namespace ribbon

@@ -92,6 +92,7 @@ void store_cord(IslandState& state, const Member& member) {
   }
   cord.state.restart = state.restart;
   cord.sweep.reset();
+  store_overstretch(cord);
   store_reel(cord);
   store_holders(state, member);
   store_wheels(state, member);

@@ -18,7 +18,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"grips", build_grips, drive_grips, 180, 0x93df58580d9e85ed},
     {"self_contact", build_self_contact, nullptr, 80, 0x842ffee75b86e362},
     {"thesis", build_thesis, drive_thesis, 180, 0xcbffe2fca1a6f43d},
-    {"rough", build_rough, drive_rough, 120, 0xa0b127f0c1c4942b},
+    {"rough", build_rough, drive_rough, 120, 0x515f10e8aa812e2b},
     {"asleep", build_asleep, drive_asleep, 220, 0x92f1a7f546f39269},
     {"ties", build_ties, drive_ties, 120, 0x9992eb96017f5eef},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},

@@ -25,6 +25,8 @@ double gain(const Summary& run) { return run.gain; }
 double crossings(const Summary& run) { return run.crossings; }
 double speed(const Summary& run) { return run.speed; }
 double gap(const Summary& run) { return std::max(run.gap, run.gap_pressed); }
+double late_stretch(const Summary& run) { return run.late_stretch; }
+double hanging(const Summary& run) { return run.hanging; }
 double work(const Summary& run) { return run.max_work; }
 
 SceneId gentle(Family family, unsigned seed, Preset preset) { return {seed, family, Difficulty::gentle, preset}; }
@@ -90,6 +92,11 @@ const Known scenes[] = {
      unconverged, 25},
     {"TensionsOfWhatIsTornApartStaySmall", wild(Family::hold_points, 9, Preset::fast), "unconverged substeps",
      unconverged, 250},
+    {"WhatWasStretchedIsReeledIn", wild(Family::rope_self, 10, Preset::balanced), "stretch after a second",
+     late_stretch, 1e-2},
+    {"WhatWasStretchedIsReeledInBetweenHands", wild(Family::hold_points, 53, Preset::accurate),
+     "stretch after a second", late_stretch, 1e-2},
+    {"WhatWasStretchedDoesNotHang", wild(Family::rope_falls, 40, Preset::balanced), "ticks that hang", hanging, 20},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 

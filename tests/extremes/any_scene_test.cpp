@@ -85,6 +85,7 @@ Scene full_scene() {
   scene.gravity = {0.5, -3.0};
   scene.preset = Preset::accurate;
   scene.ticks = 7;
+  scene.calm_ticks = 8;
   scene.sleeping = true;
   SceneCord cord;
   cord.velocity = {1.0 / 3.0, 2.0};
@@ -132,6 +133,7 @@ TEST(AnySceneCode, NamesEveryFieldThatDiffersFromItsDefault) {
            "scene.gravity = {0.5, -3.0};",
            "scene.preset = any_scene::Preset::accurate;",
            "scene.ticks = 7;",
+           "scene.calm_ticks = 8;",
            "scene.sleeping = true;",
            "scene.cords.resize(2);",
            "[0].velocity = {0.3333333333333333, 2.0};",
@@ -250,6 +252,52 @@ TEST(AnySceneRuns, CountResidualsThatTheSolverReports) {
   const Summary run = sum_up({}, {}, outcome);
   EXPECT_EQ(run.left, (std::map<int, int>{{-12, 2}, {-11, 1}}));
   EXPECT_NEAR(end_of_bin(-12), 1e-3, 1e-12);
+}
+
+TEST(AnySceneRuns, CountTicksThatHangAndWhatIsLeftLate) {
+  Outcome outcome;
+  outcome.ticks.resize(6);
+  for (const std::size_t k : {0U, 1U, 3U}) outcome.ticks[k].hangs = true;
+  outcome.ticks[2].stretch = 0.5;
+  outcome.ticks[5].late = true;
+  outcome.ticks[5].stretch = 0.25;
+  outcome.ticks[5].unconverged = 3;
+  outcome.ticks[5].gaps.free = 0.125;
+  const Summary run = sum_up({}, {}, outcome);
+  EXPECT_EQ(run.hanging, 2);
+  EXPECT_EQ(run.late_stretch, 0.25);
+  EXPECT_EQ(run.late_unconverged, 3);
+  EXPECT_EQ(run.late_gap, 0.125);
+  EXPECT_EQ(to_csv(from_csv(to_csv(run))), to_csv(run));
+}
+
+/// A kinematic body holds a rope's free end and pulls at its pin; then it is let go.
+TEST(AnySceneRuns, EndWithoutDrives) {
+  Scene scene;
+  scene.ticks = 60;
+  scene.calm_ticks = 90;
+  SceneCord cord;
+  cord.def.points = 11;
+  cord.def.length = 1.0;
+  cord.def.pins = {0};
+  for (int p = 0; p < 11; ++p) cord.def.positions.push_back({0.1 * p, 0.0});
+  scene.cords.push_back(cord);
+  Solid puller;
+  puller.motion = Motion::kinematic;
+  puller.position = {1.0, 0.0};
+  puller.velocity = {2.0, 0.0};
+  scene.solids.push_back(puller);
+  Hold hold;
+  hold.arc = 1.0;
+  scene.holds.push_back(hold);
+  const Outcome outcome = play(scene, 20.0);
+  ASSERT_EQ(outcome.ticks.size(), 150U);
+  EXPECT_GT(outcome.ticks[59].stretch, 1.0);
+  EXPECT_FALSE(outcome.ticks[119].late);
+  EXPECT_TRUE(outcome.ticks[120].late);
+  const Summary run = sum_up({}, scene, outcome);
+  EXPECT_LT(run.late_stretch, 1e-2);
+  EXPECT_EQ(run.late_unconverged, 0);
 }
 
 TEST(AnySceneRuns, AreReproducible) {

@@ -219,6 +219,7 @@ std::string to_code(const Scene& scene, std::string_view name) {
   lines.set("gravity", scene.gravity, plain.gravity);
   lines.set("preset", scene.preset, plain.preset);
   lines.set("ticks", scene.ticks, plain.ticks);
+  lines.set("calm_ticks", scene.calm_ticks, plain.calm_ticks);
   lines.set("sleeping", scene.sleeping, plain.sleeping);
   return std::string("any_scene::Scene ") + std::string(name) + "() {\n  any_scene::Scene scene;\n" + lines.all() +
          code_of_all(scene.cords, "cords") + code_of_all(scene.solids, "solids") + code_of_all(scene.holds, "holds") +

@@ -24,7 +24,11 @@ int work(const ribbon::box2d::Coupling& coupling) { return coupling.last_step().
 int unconverged(const ribbon::box2d::Coupling& coupling) { return coupling.last_step().report().unconverged; }
 
 EnergyBalance::EnergyBalance(const World::Energy& start, double weight, Vec2 heights)
-    : weight_(weight), heights_(heights), kinetic_(start.kinetic), lowest_(start.total), before_(start.total) {}
+    : weight_(weight),
+      heights_(heights),
+      kinetic_(start.kinetic),
+      lowest_(start.total - start.box2d),
+      before_(lowest_) {}
 
 void EnergyBalance::leave_out(const World::Energy& now) {
   const double own = now.total - now.box2d;

@@ -14,9 +14,13 @@ using ribbon::Vec2;
 
 namespace {
 
+constexpr double moved_of_hanging = 0.05;  // share of the points: what is driven moves nevertheless
+constexpr int recovery_ticks = 60;         // after all that drives has ended
+
 void look(const World& world, const Oracles& oracles, const Snapshot& before, const Snapshot& after, Sample& sample) {
   sample.work = work(world.coupling());
   sample.unconverged = unconverged(world.coupling());
+  sample.hangs = sample.unconverged > 0 && world.moved_share() < moved_of_hanging;
   sample.left = world.coupling().last_step().report().position_error;
   sample.speed = world.fastest();
   sample.gaps = world.grip_gaps();
@@ -34,18 +38,25 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
   Scene present = scene;
   std::optional<Oracles> oracles(std::in_place, present);
   EnergyBalance balance(world.energy(), world.weight(), world.heights());
-  const bool driven = is_driven(scene);
+  bool driven = is_driven(scene);
   Snapshot before = world.snapshot();
   int inside_out = inverted(world.coupling());
-  for (int k = 0; k < scene.ticks; ++k) {
+  const int ticks = scene.ticks + scene.calm_ticks;
+  for (int k = 0; k < ticks; ++k) {
     Sample sample;
+    sample.late = k >= scene.ticks + recovery_ticks;
+    if (k == scene.ticks) world.calm_down();
+    if (k == scene.ticks + recovery_ticks) {
+      driven = false;
+      balance = EnergyBalance(world.energy(), world.weight(), world.heights());
+    }
     const auto look_at_pieces = [&] {
       present = world.present_scene();
       oracles.emplace(present);
       inside_out = inverted(world.coupling());
     };
     const Inertia uncut = scene.cuts.empty() ? Inertia{} : inertia(world.coupling());
-    if (world.drive(k)) {
+    if (k < scene.ticks && world.drive(k)) {
       look_at_pieces();
       if (!scene.cuts.empty()) sample.imbalance = difference(uncut, inertia(world.coupling()), world.fastest());
       before = world.snapshot();
@@ -73,7 +84,7 @@ void run(const Scene& scene, double max_seconds, Outcome& outcome) {
     }
     outcome.ticks.push_back(sample);
     if (!sample.finite) outcome.end = End::broken;
-    if (std::chrono::duration<double>(Clock::now() - begun).count() > max_seconds && k + 1 < scene.ticks) {
+    if (std::chrono::duration<double>(Clock::now() - begun).count() > max_seconds && k + 1 < ticks) {
       outcome.end = End::timed_out;
     }
     if (outcome.end != End::completed) return;

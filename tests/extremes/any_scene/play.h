@@ -29,6 +29,8 @@ struct Sample {
   std::vector<CrossedPair> crossings;  ///< Oracles::crossings
   int inverted = 0;                    ///< number of newly inverted corners of ribbons
   bool finite = true;
+  bool hangs = false;  ///< not converged, and almost nothing has moved
+  bool late = false;   ///< all that drives ended at least a second ago
 };
 
 /// How a run ended.

@@ -127,6 +127,7 @@ struct Scene {
   ribbon::Vec2 gravity{0.0, -9.81};  ///< m/s²
   Preset preset = Preset::balanced;
   int ticks = 300;        ///< of 1/60 s
+  int calm_ticks = 0;     ///< after them, in which nothing drives any more
   bool sleeping = false;  ///< b2World::SetAllowSleeping
   std::vector<SceneCord> cords;
   std::vector<Solid> solids;

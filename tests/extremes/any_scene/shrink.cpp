@@ -182,6 +182,8 @@ const std::vector<Limit>& limits() {
       {"inverted", 0.0, [](const Summary& run) { return static_cast<double>(run.inverted); }},
       {"unconverged", 0.0, [](const Summary& run) { return static_cast<double>(run.unconverged); }},
       {"stretch", 0.01, [](const Summary& run) { return run.stretch; }},
+      {"late stretch", 0.01, [](const Summary& run) { return run.late_stretch; }},
+      {"hanging", 10.0, [](const Summary& run) { return static_cast<double>(run.hanging); }},
       {"gap", 0.01, [](const Summary& run) { return run.gap; }},
       {"rise", 0.02, [](const Summary& run) { return run.rise; }},
       {"work", 100.0, [](const Summary& run) { return static_cast<double>(run.max_work); }},

@@ -56,6 +56,11 @@ std::function<double(const Runs&)> over_runs(double share, Value value) {
   return [share, value](const Runs& runs) { return quantile_of(runs, share, value); };
 }
 
+/// Returns whether the scene is as it should be a second after all that drives it has ended.
+bool is_whole(const Summary& run) {
+  return run.late_unconverged == 0 && run.late_stretch <= 0.01 && run.late_gap <= 0.01 && run.late_gain <= 1e-3;
+}
+
 const std::vector<Column>& columns() {
   const auto work = [](const Summary& run) { return run.max_work; };
   const auto stretch = [](const Summary& run) { return 100.0 * run.stretch; };
@@ -82,6 +87,8 @@ const std::vector<Column>& columns() {
       {"depthmx", 8, over_runs(1.0, [](const Summary& run) { return run.penetration; })},
       {"gap mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap; })},
       {"prs mm", 8, over_runs(1.0, [](const Summary& run) { return 1e3 * run.gap_pressed; })},
+      {"hang", 5, over_runs(1.0, [](const Summary& run) { return run.hanging; })},
+      {"unwhole", 7, how_many([](const Summary& run) { return !is_whole(run); })},
       {"tick ms", 8, over_runs(1.0, [](const Summary& run) { return run.worst_ms; })},
       {"m/s", 6, over_runs(1.0, [](const Summary& run) { return run.speed; })},
   };

@@ -47,6 +47,25 @@ std::string take_last_cell(std::string& line) {
   return cell;
 }
 
+void add_late(Summary& sum, const Sample& tick) {
+  sum.late_unconverged += tick.unconverged;
+  sum.late_left = std::max(sum.late_left, tick.left);
+  sum.late_stretch = std::max(sum.late_stretch, tick.stretch);
+  sum.late_gap = std::max(sum.late_gap, tick.gaps.free);
+  sum.late_gain = std::max(sum.late_gain, tick.gain);
+}
+
+/// Returns the most ticks one behind the other that hang.
+int longest_hang(const std::vector<Sample>& ticks) {
+  int most = 0;
+  int now = 0;
+  for (const Sample& tick : ticks) {
+    now = tick.hangs ? now + 1 : 0;
+    most = std::max(most, now);
+  }
+  return most;
+}
+
 void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
   ++sum.work[tick.work];
   sum.total_work += tick.work;
@@ -68,6 +87,7 @@ void add(Summary& sum, const Scene& scene, const Sample& tick, int number) {
     int& moving = where.pressed ? sum.crossings_pressed : sum.crossings_moving;
     ++(!where.solid ? sum.crossings : fixed ? sum.crossings_fixed : moving);
   }
+  if (tick.late) add_late(sum, tick);
   sum.inverted += tick.inverted;
   sum.worst_ms = std::max(sum.worst_ms, tick.milliseconds);
   sum.seconds += 1e-3 * tick.milliseconds;
@@ -85,6 +105,7 @@ Summary sum_up(const SceneId& which, const Scene& scene, const Outcome& outcome)
   sum.ticks = static_cast<int>(outcome.ticks.size());
   sum.points = points(scene);
   for (int k = 0; k < sum.ticks; ++k) add(sum, scene, outcome.ticks[static_cast<std::size_t>(k)], k);
+  sum.hanging = longest_hang(outcome.ticks);
   return sum;
 }
 
@@ -103,7 +124,7 @@ std::string csv_header() {
          "rise,gap,"
          "gap_pressed,"
          "penetration,crossings,crossings_fixed,crossings_moving,crossings_pressed,inverted,worst_ms,seconds,worst_"
-         "tick,first_bad,work,left";
+         "tick,first_bad,hanging,late_unconverged,late_left,late_stretch,late_gap,late_gain,work,left";
 }
 
 std::string to_csv(const Summary& sum) {
@@ -114,7 +135,9 @@ std::string to_csv(const Summary& sum) {
        << ',' << sum.speed << ',' << sum.gain << ',' << sum.rise << ',' << sum.gap << ',' << sum.gap_pressed << ','
        << sum.penetration << ',' << sum.crossings << ',' << sum.crossings_fixed << ',' << sum.crossings_moving << ','
        << sum.crossings_pressed << ',' << sum.inverted << ',' << sum.worst_ms << ',' << sum.seconds << ','
-       << sum.worst_tick << ',' << sum.first_bad << ',' << text(sum.work);
+       << sum.worst_tick << ',' << sum.first_bad << ',' << sum.hanging << ',' << sum.late_unconverged << ','
+       << sum.late_left << ',' << sum.late_stretch << ',' << sum.late_gap << ',' << sum.late_gain << ','
+       << text(sum.work);
   if (sum.left) line << ',' << text(*sum.left);
   return line.str();
 }
@@ -137,7 +160,8 @@ Summary from_csv(std::string_view text) {
   in >> family >> difficulty >> preset >> sum.which.seed >> end >> sum.ticks >> sum.points >> sum.unconverged >>
       sum.max_work >> sum.total_work >> sum.stretch >> sum.strain >> sum.speed >> sum.gain >> sum.rise >> sum.gap >>
       sum.gap_pressed >> sum.penetration >> sum.crossings >> sum.crossings_fixed >> sum.crossings_moving >>
-      sum.crossings_pressed >> sum.inverted >> sum.worst_ms >> sum.seconds >> sum.worst_tick >> sum.first_bad;
+      sum.crossings_pressed >> sum.inverted >> sum.worst_ms >> sum.seconds >> sum.worst_tick >> sum.first_bad >>
+      sum.hanging >> sum.late_unconverged >> sum.late_left >> sum.late_stretch >> sum.late_gap >> sum.late_gain;
   if (!in) throw std::invalid_argument("a line of results is not as they are written: " + line);
   sum.which.family = named(family, all_families);
   sum.which.difficulty = named(difficulty, all_difficulties);

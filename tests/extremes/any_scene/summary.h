@@ -36,6 +36,12 @@ struct Summary {
   double worst_ms = 0.0;      ///< the longest tick
   double seconds = 0.0;       ///< total of Coupling::step
   int worst_tick = 0;         ///< the tick of max_work
+  int hanging = 0;            ///< most ticks one behind the other that hang, see Sample
+  int late_unconverged = 0;   ///< this and the next four: of the late ticks, see Sample
+  double late_left = 0.0;     ///< m
+  double late_stretch = 0.0;
+  double late_gap = 0.0;  ///< m
+  double late_gain = 0.0;
   int first_bad = -1;  ///< the first tick with an unconverged substep, a crossing, an inversion or a number not finite
   std::map<int, int> work;  ///< number of ticks by Newton steps
   /// The number of unconverged ticks, by bin_of their residual [m]. No value if the solver did not report it.

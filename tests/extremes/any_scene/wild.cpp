@@ -13,6 +13,8 @@ namespace {
 
 using test_support::slot;
 
+constexpr int calm_ticks = 120;
+
 int some_cord(Dice& dice, const Scene& scene) {
   return random_integer(dice, 0, static_cast<int>(scene.cords.size()) - 1);
 }
@@ -122,6 +124,7 @@ void hurl(Dice& dice, Scene& scene) {
 }  // namespace
 
 void make_wild(Dice& dice, Scene& scene) {
+  scene.calm_ticks = calm_ticks;
   for (int k = random_integer(dice, 1, 3); k > 0; --k) {
     switch (random_integer(dice, 0, 6)) {
       case 0: overlap(dice, scene); break;

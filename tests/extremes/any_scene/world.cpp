@@ -17,8 +17,9 @@ using ribbon::box2d::to_float;
 
 namespace {
 
-constexpr double closed_gap = 1e-3;  // m
-constexpr double max_knot = 0.5;     // m, distance of what is tied
+constexpr double closed_gap = 1e-3;    // m
+constexpr double max_knot = 0.5;       // m, distance of what is tied
+constexpr double least_motion = 1e-5;  // m in a tick; free fall from rest is 2.7 mm
 
 using test_support::slot;
 
@@ -196,12 +197,37 @@ bool World::cut(const Cut& cut) {
   return true;
 }
 
+/// Broken cords have new ids, so cords are known by their place in the list.
+void World::store_starts() {
+  starts_.clear();
+  for (const CordId id : coupling_.cords()) {
+    const auto points = coupling_.cord(id).positions();
+    starts_.emplace_back(points.begin(), points.end());
+  }
+}
+
+void World::find_moved_share() {
+  const auto cords = coupling_.cords();
+  std::size_t all = 0;
+  std::size_t moved = 0;
+  for (std::size_t c = 0; c < std::min(cords.size(), starts_.size()); ++c) {
+    const auto points = coupling_.cord(cords[c]).positions();
+    for (std::size_t p = 0; p < std::min(points.size(), starts_[c].size()); ++p) {
+      ++all;
+      if (length(points[p] - starts_[c][p]) > least_motion) ++moved;
+    }
+  }
+  moved_share_ = all > 0 ? static_cast<double>(moved) / static_cast<double>(all) : 0.0;
+}
+
 double World::tick() {
+  store_starts();
   coupling_.gather(world_, dt);
   const auto begun = std::chrono::steady_clock::now();
   coupling_.step();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   coupling_.apply();
+  find_moved_share();
   const ribbon::box2d::CouplingState planned = coupling_.save(world_);
   const double before = energy_of_free_bodies(planned);
   world_.Step(static_cast<float>(dt), 8, 3);

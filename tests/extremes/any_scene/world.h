@@ -29,8 +29,13 @@ class World {
 
   /// Drives what the scene drives in a tick. Returns whether a cord was cut, tied or untied.
   bool drive(int number);
+  /// Ends all that drives, and with it all that is impossible: what is dragged is let go, and so is what kinematic
+  /// bodies hold; these, belts, motors and climbers stop; what was reeled in is paid out again.
+  void calm_down();
   /// Takes one tick; returns the milliseconds of Coupling::step.
   double tick();
+  /// Returns the share of the points of cords that moved in the last tick.
+  double moved_share() const { return moved_share_; }
   /// Returns whether points that were tied while apart are being drawn together, which does work.
   bool draws_together() const;
   /// Returns whether a link broke in the last tick.
@@ -77,6 +82,8 @@ class World {
   bool has_slipped_off(ribbon::box2d::CordId id, double arc, const Hold& hold) const;
   double gap(std::size_t hold) const;
   void update_pushed_bodies();
+  void store_starts();
+  void find_moved_share();
   struct Moving;
   double energy(const b2Body& body, const Moving& moving) const;
   Moving now(const b2Body& body) const;
@@ -99,6 +106,8 @@ class World {
   std::vector<char> pushed_;  // by hold: Box2D has pushed its solid and the gap has not closed since
   std::vector<ribbon::Vec2> drag_starts_;
   std::vector<ribbon::box2d::TieId> ties_;
+  std::vector<std::vector<ribbon::Vec2>> starts_;  // m, by cord: where its points were before the tick
+  double moved_share_ = 0.0;
   double box2d_work_ = 0.0;  // J
 };
 

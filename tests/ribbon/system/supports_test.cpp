@@ -16,8 +16,7 @@ namespace ribbon {
 namespace {
 
 using constants::dt;
-
-constexpr Vec2 gravity{0.0, -9.81};
+using constants::gravity;
 
 /// A body that holds the first point of a cord. Supports keep it from moving down and sideways.
 struct SupportedBody {
