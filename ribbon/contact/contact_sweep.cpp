@@ -86,13 +86,19 @@ bool ContactSweep::path_is_clear(ContactScene& scene, std::span<const Vec2> from
   });
 }
 
-double ContactSweep::fraction_to_impact(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to) {
+double ContactSweep::fraction_to_impact(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to,
+                                        ImpactsOf what) {
   scene.anchors.positions(x, KinematicTime::current, from_);
   scene.anchors.positions(to, KinematicTime::target, to_);
   scene.list_candidates(from_, to_);
+  const auto is_moving_body = [&](int anchor) {
+    return scene.anchors.is_dynamic(anchor) ||
+           (scene.anchors.is_kinematic(anchor) && from_[at(anchor)] != to_[at(anchor)]);
+  };
   double fraction = 1.0;
   for (const std::size_t k : scene.candidates.pairs_to_check()) {
     const PairGeometry& pair = scene.pairs.geometry(k);
+    if (what == ImpactsOf::moving_bodies && !is_moving_body(pair.disc) && !is_moving_body(pair.a)) continue;
     if (free_fraction(pair, {pair.overlap_fraction, Clearance::of_start_in_a_move}, fraction) < fraction) {
       fraction = free_fraction(pair, {1.0, 1.0}, fraction);
     }

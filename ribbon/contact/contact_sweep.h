@@ -21,6 +21,9 @@ struct Clearance {
   static constexpr Clearance passing() { return {0.5, of_start_in_a_move}; }
 };
 
+/// Of which pairs a contact is an impact: all, or those of a cord and a body that moves.
+enum class ImpactsOf { all, moving_bodies };
+
 /// Continuous collision detection (conservative advancement, Mirtich 1996): what touches on the straight path of all
 /// anchors between two states. Fractions of the path are 0 … 1.
 class ContactSweep {
@@ -43,9 +46,9 @@ class ContactSweep {
   /// does, x is a solution on the other side of something.
   bool path_is_clear(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> x);
   /// Returns the fraction of the path from x to `to`, with kinematic bodies moving to their targets, up to the first
-  /// contact of a pair that would overlap later; 1 if there is none. A pair overlaps if the centre line of the cord is
-  /// inside the other feature.
-  double fraction_to_impact(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to);
+  /// contact of a pair, or of a cord and a moving body, that would overlap later; 1 if there is none. A pair overlaps
+  /// if the centre line of the cord is inside the other feature.
+  double fraction_to_impact(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to, ImpactsOf what);
   /// Reduces the fractions by group of the path from `from`, the start of the stage, to `to` until no pair overlaps.
   /// All slots of a group move by the fraction of their group; −1 is no group. Returns false if it reduced any.
   bool separate_groups(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> to,

@@ -13,7 +13,10 @@ namespace {
 constexpr int max_pieces = 10;
 constexpr double impact_share = 0.05;  // of the least contact distance, that anything moves in a piece with an impact
 
-/// Returns the time until something would be in something in free motion, s; `max` if nothing would.
+/// Returns the time until a moving body would be in a cord in free motion, s; `max` if none would. Cords in each other
+/// and in what stands still do not count: a rope that is drawn tight on itself would have many such impacts in a step,
+/// because nothing holds it together in free motion. While overstretched links regain their lengths, they do: what
+/// caught a rope lets it go more often in short pieces of a step.
 double time_to_impact(const StepContext& context, double start, double max) {
   const IslandState& state = context.state;
   Contacts& contacts = context.contacts;
@@ -32,7 +35,8 @@ double time_to_impact(const StepContext& context, double start, double max) {
     }
     end[p] = state.positions[p] + displacement;
   }
-  return max * contacts.sweep.fraction_to_impact(contacts.scene, state.positions, end);
+  return max * contacts.sweep.fraction_to_impact(contacts.scene, state.positions, end,
+                                                 state.overstretched ? ImpactsOf::all : ImpactsOf::moving_bodies);
 }
 
 /// Returns the time in which nothing moves further than a small part of the least contact distance, s.

@@ -66,8 +66,7 @@ const Known scenes[] = {
      1e-3},
     {"WhatIsPushedTogetherConverges", gentle(Family::mixed, 110, Preset::accurate), "unconverged substeps", unconverged,
      10},
-    {"InteriorPointsBeginNearTheirForces", gentle(Family::mixed, 109, Preset::balanced), "unconverged substeps",
-     unconverged, 8},
+    {"InteriorPointsBeginNearTheirForces", gentle(Family::mixed, 114, Preset::fast), "systems in a tick", work, 110},
     {"NeighboursHaveRoomWherePosed", gentle(Family::ropes_both, 126, Preset::fast), "crossings", crossings, 0},
     {"WhatHasConvergedIsKept", gentle(Family::ropes_both, 128, Preset::accurate), "unconverged substeps", unconverged,
      5},
@@ -96,7 +95,7 @@ const Known scenes[] = {
      late_stretch, 1e-2},
     {"WhatWasStretchedIsReeledInBetweenHands", wild(Family::hold_points, 53, Preset::accurate),
      "stretch after a second", late_stretch, 1e-2},
-    {"WhatWasStretchedDoesNotHang", wild(Family::rope_falls, 40, Preset::balanced), "ticks that hang", hanging, 20},
+    {"WhatWasStretchedDoesNotHang", wild(Family::hold_points, 53, Preset::accurate), "ticks that hang", hanging, 20},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
