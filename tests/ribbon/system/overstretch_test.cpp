@@ -40,8 +40,8 @@ double highest_speed(const Cord& cord) {
 }
 
 /// Drags the free end 20 m away, ten times the rope's length, lets it go and returns the rope.
-Cord dragged_away(CordDef def) {
-  Cord cord(std::move(def));
+Cord dragged_away(const CordDef& def) {
+  Cord cord(def);
   for (int k = 1; k <= 60; ++k) {
     cord.operate(20, {2.0 + 0.3 * k, 0.0});
     cord.step(dt, gravity);
@@ -91,7 +91,7 @@ TEST(Overstretch, IsNoneOfWhatMayStretch) {
   ribbon.width = 0.05;
   ribbon.stretch_stiffness = 1e3;
   ribbon.positions.clear();
-  for (CordDef def : {soft, ribbon}) {
+  for (const CordDef& def : {soft, ribbon}) {
     Cord cord(def);
     cord.operate(cord.size() - 1, {4.0, 0.0});
     cord.step(dt, {});
