@@ -129,7 +129,7 @@ std::vector<double> figures_of(const CoupledWorld& world, const ContactFigures& 
   const bool cord_contact = any_cord(world, [](const ribbon::CordDef& def) { return def.cord_contact; });
   return {world.method().thesis || chain ? unavailable : target_us.value_or(unavailable),
           ropes ? 100.0 * figures.max_stretch : unavailable,
-          100.0 * figures.energy_gain,
+          world.energy_scale() > 0.0 ? 100.0 * figures.energy_gain : unavailable,
           chain ? unavailable : figures.corrected,
           chain ? unavailable : figures.unconverged,
           figures.penetration,

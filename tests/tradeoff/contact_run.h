@@ -32,7 +32,8 @@ using SetUp = std::function<void(test_support::CoupledWorld&)>;
 /// The results of some ticks.
 struct ContactFigures {
   double max_stretch = 0.0;  ///< of a rope, relative, maximum after any tick
-  double energy_gain = 0.0;  ///< maximum rise above the lowest earlier energy, relative to energy_scale
+  double energy_gain =
+      0.0;  ///< maximum rise above the lowest earlier energy, relative to energy_scale; inf if that is 0
   double penetration = 0.0;  ///< m, maximum after any tick
   int unconverged = 0;       ///< ticks with an unconverged substep of a cord's island, summed over cords; for the
                              ///< thesis's method with one that only the springs solved
