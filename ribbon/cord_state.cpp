@@ -105,6 +105,7 @@ void check_state(const Cord& cord, const Cord::State& state) {
   check_all("state.rest_speeds", state.rest_speeds, 0.0, largest);
   check_all("state.breaking_forces", state.breaking_forces, 0.0, std::numeric_limits<double>::infinity());
   check_range("state.depenetration_share", state.depenetration_share, smallest, 1.0);
+  check_range("state.newton_pause", state.newton_pause, 0, CordParts::max_newton_pause);
   check_range("state.regainable_energy", state.regainable_energy, -largest, largest);
   check_range("state.energy_drift", state.energy_drift, -largest, largest);
   check_range("state.rest_time", state.rest_time, state.asleep ? Cord::time_to_sleep : 0.0,

@@ -159,6 +159,7 @@ void take_energies_and_origin(const Cord::State& from, const Columns& columns, C
   to.energy_drift = share * from.energy_drift;
   to.damping_excluded = from.damping_excluded;
   to.depenetration_share = from.depenetration_share;
+  to.newton_pause = from.newton_pause;
   to.family = from.family;
   to.split = from.split;
   if (columns.first == 0) to.joined_first = from.joined_first;

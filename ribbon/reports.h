@@ -16,8 +16,8 @@ struct IslandReport {
                          ///< without a cause; not checked while drives, or what it touches, move at several velocities
   int halvings = 0;      ///< substeps of implicit Euler that did not converge and were split in two
   int impacts = 0;       ///< substeps in which a contact began or ended, integrated by implicit Euler and BDF2
-  int posed = 0;     ///< steps that were redone with contacts that are linearised once (posed as one convex problem),
-                     ///< because Newton steps did not converge
+  int posed = 0;     ///< steps that were taken with contacts that are linearised once (posed as one convex problem),
+                     ///< because Newton steps did not converge in them or in a step shortly before
   int cuts = 0;      ///< parts of such steps in which a point was stopped to prevent penetration or an energy gain, and
                      ///< lost velocity
   int unlocked = 0;  ///< steps in which inverted cells were turned back

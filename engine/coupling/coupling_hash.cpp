@@ -255,14 +255,15 @@ void add(Hasher& hasher, const Touch& touch) {
 void add_to(Hasher& hasher, const Cord::State& state) {
   const auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
                rest_targets, rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split,
-               holders, touches, touch_changed, depenetration_share, regainable_energy, energy_drift, damping_excluded,
-               restart, rest_time, asleep, surroundings_hash] = state;
+               holders, touches, touch_changed, depenetration_share, newton_pause, regainable_energy, energy_drift,
+               damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   for (const auto* vectors : {&positions, &velocities, &accelerations, &targets, &loads}) add_all(hasher, *vectors);
   for (const auto* numbers : {&masses, &tensions, &rest, &rest_targets, &rest_speeds}) add_all(hasher, *numbers);
   add_all(hasher, unlocked);
   // Only where they are used, so that golden hashes stay:
   if (!breaking_forces.empty()) add_all(hasher, breaking_forces);
   if (depenetration_share < 1.0) hasher.add(depenetration_share);
+  if (newton_pause > 0) hasher.add(newton_pause);
   for (const Pulley& pulley : pulleys) add(hasher, pulley);
   if (!medium_forces.empty()) add_all(hasher, medium_forces);
   // Ids as they are: as a std::size_t they lose their upper half where that has 32 bits, as in WebAssembly.

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 10;
+inline constexpr int solver_step_version = 11;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -149,8 +149,8 @@ template <typename Archive, Is<ribbon::Cord::State> T>
 void fields(Archive& archive, T& state) {
   auto& [positions, velocities, accelerations, targets, kinds, masses, loads, medium_forces, tensions, rest,
          rest_targets, rest_speeds, breaking_forces, pulleys, unlocked, family, joined_first, joined_last, split,
-         holders, touches, touch_changed, depenetration_share, regainable_energy, energy_drift, damping_excluded,
-         restart, rest_time, asleep, surroundings_hash] = state;
+         holders, touches, touch_changed, depenetration_share, newton_pause, regainable_energy, energy_drift,
+         damping_excluded, restart, rest_time, asleep, surroundings_hash] = state;
   archive("positions", positions);
   archive("velocities", velocities);
   archive("accelerations", accelerations);
@@ -174,6 +174,7 @@ void fields(Archive& archive, T& state) {
   archive("touches", touches);
   archive("touch_changed", touch_changed);
   archive("depenetration_share", depenetration_share);
+  archive("newton_pause", newton_pause);
   archive("regainable_energy", regainable_energy);
   archive("energy_drift", energy_drift);
   archive("damping_excluded", damping_excluded);

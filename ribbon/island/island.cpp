@@ -34,6 +34,13 @@ void store_depenetration(const IslandState& state) {
   }
 }
 
+/// Returns whether Newton's method is left out, because it has failed in the last steps. Not where points are tied:
+/// what is apart is drawn together otherwise.
+bool pauses_newton(std::span<const IslandCord> cords, std::span<const TiedPoint> tied) {
+  return tied.empty() && std::all_of(cords.begin(), cords.end(),
+                                     [](const IslandCord& cord) { return cord.cord->parts().state.newton_pause > 1; });
+}
+
 }  // namespace
 
 /// A step in which something leaves its motion bound is redone with a larger one. One with tied points apart, in which
@@ -56,12 +63,15 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       std::any_of(cords.begin(), cords.end(), [](const IslandCord& cord) { return cord.records_pushes; }));
   work_ = {};
   bounds_.begin_step(cords.size());
+  pausing_newton_ = pauses_newton(cords, tied);
+  if (pausing_newton_) bounds_.enlarge_for_linearised();
   bring_together(cords, tied);
   move_points_over_wheels(cords, tied, bodies, dt, true);
   ApartTies apart = ApartTies::drawn;
   int settled = 0;
   bool keeps_unsolved = false;
-  for (bool linearised = false;;) {
+  bool linearised = pausing_newton_;
+  for (;;) {
     begin_attempt(cords, tied, apart);
     state_.keeps_unsolved = keeps_unsolved;
     state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
@@ -83,6 +93,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
     move_points_over_wheels(cords, tied, bodies, dt, false);
   }
   work_.report.work += contacts_.scene.candidates.take_checks();
+  store_newton_pause(linearised);
   end_step();
   write_reports(reports);
   return work_.report;
@@ -112,7 +123,7 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
 bool Island::truncates(bool linearised) const {
   const std::size_t pairs = contacts_.scene.pairs.size();
   const bool is_heap = state_.members.size() >= heap_cords && (pairs >= heap_pairs || (state_.unlocking && pairs > 0));
-  return is_heap && linearised != state_.accuracy.soft_contacts;
+  return is_heap && (pausing_newton_ || linearised != state_.accuracy.soft_contacts);
 }
 
 /// Returns false if a substep did not converge.
@@ -140,6 +151,24 @@ void Island::end_step() {
   store_bodies(state_);
   store_support_forces(state_);
   count_rest_time(state_, work_.report);
+}
+
+/// Where Newton's method has failed in two steps, one after the other, it mostly does so again, at the cost of as many
+/// linear systems as the linearised solve takes. So it is left out in three steps, or fewer if one of them turns out to
+/// be easy. (The solve of a heap takes few systems, and does not tell.) A single failure is mostly an impact. A large
+/// budget is for as much as Newton's method needs.
+void Island::store_newton_pause(bool linearised) {
+  const bool pauses = linearised && !work_.has_large_budget() && (work_.was_hard() || truncates(true));
+  for (const Member& member : state_.members) {
+    int& pause = member.cord->state.newton_pause;
+    if (!pauses) {
+      pause = 0;
+    } else if (pausing_newton_) {
+      --pause;
+    } else {
+      pause = pause == 0 ? 1 : CordParts::max_newton_pause;
+    }
+  }
 }
 
 /// Stores what touches at the end of the step, or has been hit in it.

@@ -36,6 +36,7 @@ class Island {
   void begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, ApartTies apart);
   bool truncates(bool linearised) const;
   bool take_substeps(bool linearised);
+  void store_newton_pause(bool linearised);
   void end_step();
   void store_touches();
   void write_reports(std::span<CordReport> reports) const;
@@ -48,6 +49,7 @@ class Island {
   StageSolver stages_;
   EnergyGuard guard_;
   StepWork work_;
+  bool pausing_newton_ = false;  // in this step
   Substeps substeps_;
   LinearisedStep linearised_step_;
   Restitution restitution_;

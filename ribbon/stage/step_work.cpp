@@ -10,6 +10,7 @@ constexpr double large_budget_factor = 10'000;  // Accuracy::max_work from which
 // Limits are those of a step of up to so many substeps. More substeps have proportionally more, because each solves its
 // own stages: with the same limits, many substeps would end each step near contacts as one linearised step.
 constexpr double substeps_of_limits = 4.0;
+constexpr int easy_systems = 30;  // of a step
 // An attempt ends after this number of Newton steps, or this share of the work; and this share in all attempts.
 constexpr int max_attempt_systems = 48;
 constexpr double attempt_share = 0.35;
@@ -48,6 +49,8 @@ void StepWork::count_system(std::size_t blocks, std::int64_t tested_pairs) {
 bool StepWork::has_spent(double share) const { return static_cast<double>(report.work) >= share * max_work_; }
 
 bool StepWork::has_large_budget() const { return max_work_factor_ >= large_budget_factor; }
+
+bool StepWork::was_hard() const { return report.iterations > scale_ * easy_systems; }
 
 bool StepWork::attempt_is_over() const {
   if (has_large_budget()) return false;

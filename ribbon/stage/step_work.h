@@ -26,6 +26,8 @@ class StepWork {
   /// Returns whether the step may take so much work that a substep that does not converge is halved first, before the
   /// contacts of the whole step are linearised once.
   bool has_large_budget() const;
+  /// Returns whether the step has taken many linear systems: more than 30, or more with more than four substeps.
+  bool was_hard() const;
   /// Returns whether the attempt, or all attempts together, have used their work, so that contacts are linearised once.
   bool attempt_is_over() const;
   /// Returns whether substeps are halved no more: half of the work is spent or, unless cells are being turned back,

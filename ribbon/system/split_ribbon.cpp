@@ -134,6 +134,7 @@ std::unique_ptr<CordParts> split_piece(const CordParts& whole, int row, int side
   to.regainable_energy = std::min(0.0, rows.share() * from.regainable_energy);  // what follows a cut is not smooth
   to.energy_drift = rows.share() * from.energy_drift;
   to.depenetration_share = from.depenetration_share;
+  to.newton_pause = from.newton_pause;
   to.family = from.family;
   to.joined_first = from.joined_first;
   to.joined_last = from.joined_last;

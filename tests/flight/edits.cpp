@@ -180,6 +180,7 @@ const std::vector<Edit<Cord>>& cord_edits() {
       [](Cord& cord) { return clear(cord.state.touches); },
       [](Cord& cord) { return clear(cord.state.holders); },
       [](Cord& cord) { return set(cord.state.depenetration_share, 1.0); },
+      [](Cord& cord) { return set(cord.state.newton_pause, 0); },
       [](Cord& cord) { return set(cord.state.regainable_energy, 0.0); },
       [](Cord& cord) { return set(cord.state.energy_drift, 0.0); },
       [](Cord& cord) { return stop(cord.state.accelerations); },

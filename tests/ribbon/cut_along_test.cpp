@@ -169,15 +169,19 @@ TEST(CutAlong, OfBarsKeepsMassAndMomentum) {
   }
 }
 
-/// Otherwise a piece could hang in the penetration that the cord had stopped removing.
-TEST(CutAlong, PiecesRemovePenetrationsAsSlowlyAsTheCordDid) {
+/// Otherwise a piece could hang in the penetration that the cord had stopped removing, and fail at what has just
+/// failed.
+TEST(CutAlong, PiecesRememberWhatFailed) {
   Cord cord = swinging_ribbon(ribbon_of(4, 1.0));
   Cord::State state = cord.save();
   state.depenetration_share = 0.25;
+  state.newton_pause = 2;
   cord.restore(state);
   const CutPieces pieces = cut(cord, cut_along(cord, 1));
   EXPECT_EQ(pieces.first->save().depenetration_share, 0.25);
   EXPECT_EQ(pieces.second->save().depenetration_share, 0.25);
+  EXPECT_EQ(pieces.first->save().newton_pause, 2);
+  EXPECT_EQ(pieces.second->save().newton_pause, 2);
 }
 
 TEST(CutAlong, GivesWhatIsAttachedToItsSide) {

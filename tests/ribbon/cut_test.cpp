@@ -88,15 +88,19 @@ TEST(Cut, DividesTheDriftOfTheEnergyByLength) {
   EXPECT_DOUBLE_EQ(second->save().energy_drift, 0.75 * drift);
 }
 
-/// Otherwise a piece could hang in the penetration that the cord had stopped removing.
-TEST(Cut, PiecesRemovePenetrationsAsSlowlyAsTheCordDid) {
+/// Otherwise a piece could hang in the penetration that the cord had stopped removing, and fail at what has just
+/// failed.
+TEST(Cut, PiecesRememberWhatFailed) {
   Cord cord = swinging({});
   Cord::State state = cord.save();
   state.depenetration_share = 0.25;
+  state.newton_pause = 2;
   cord.restore(state);
   const CutPieces pieces = cut(cord, cut_at(cord, 0.5));
   EXPECT_EQ(pieces.first->save().depenetration_share, 0.25);
   EXPECT_EQ(pieces.second->save().depenetration_share, 0.25);
+  EXPECT_EQ(pieces.first->save().newton_pause, 2);
+  EXPECT_EQ(pieces.second->save().newton_pause, 2);
 }
 
 TEST(Cut, GivesWhatIsAttachedToItsSide) {

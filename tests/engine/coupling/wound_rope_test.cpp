@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tests/support/contact_scenes.h"
@@ -81,5 +83,38 @@ TEST(WoundRope, FollowsWhatHaulsIt) {
   EXPECT_LE(unsolved, 8);
   EXPECT_LE(test_support::path_length(world.points(0)) / before - 1.0, 1e-2);
 }
+
+/// Hauls a coil tight for 24 ticks. Returns the work, and the ticks that began without Newton's method.
+std::pair<std::int64_t, int> haul(int max_work, bool may_pause) {
+  CordMethod method;
+  method.accuracy = ribbon::Accuracy::fast();
+  method.accuracy.max_work = max_work;
+  CoupledWorld world(method, {0.0, 0.0});
+  test_support::wind_coil(world, 1, 0.3, 2.5);
+  test_support::haul_coil(world, 3.0);
+  std::int64_t work = 0;
+  int paused = 0;
+  for (int tick = 0; tick < 24; ++tick) {
+    ribbon::Cord& cord = world.coupling.cord(0).direct();
+    ribbon::Cord::State state = cord.save();
+    paused += state.newton_pause > 1 ? 1 : 0;
+    if (!may_pause) {
+      state.newton_pause = 0;
+      cord.restore(state);
+    }
+    world.tick();
+    work += world.coupling.last_step().report().work;
+  }
+  return {work, paused};
+}
+
+TEST(WoundRope, LeavesOutForThreeStepsWhatHasFailed) {
+  const int max_work = ribbon::Accuracy::fast().max_work;
+  const auto [work, paused] = haul(max_work, true);
+  EXPECT_GE(paused, 6);
+  EXPECT_LT(work, 85 * haul(max_work, false).first / 100);
+}
+
+TEST(WoundRope, LeavesNothingOutWithALargeBudget) { EXPECT_EQ(haul(20'000, true).second, 0); }
 
 }  // namespace

@@ -71,8 +71,8 @@ TEST(SolverStep, RefusesInvalidTextWithAMessage) {
   EXPECT_EQ(refusal("{\"solver_step\": 2,").find("bad.json: not valid JSON: "), 0U);
   EXPECT_EQ(refusal("[]"), "bad.json: the file is an array; accepted is an object");
   EXPECT_EQ(refusal("{}"), "bad.json: solver_step is missing; accepted is a file with all fields");
-  EXPECT_EQ(refusal(text_with("\"solver_step\": 10", "\"solver_step\": 11")),
-            "bad.json: solver_step is version 11; accepted is 10");
+  EXPECT_EQ(refusal(text_with("\"solver_step\": 11", "\"solver_step\": 12")),
+            "bad.json: solver_step is version 12; accepted is 11");
   EXPECT_EQ(refusal(std::string(100, '[')), "bad.json: nested more than the 8 levels deep accepted");
 }
 

@@ -81,6 +81,7 @@ TEST(SceneHash, DependsOnEachPartOfADirectCordsState) {
       {"touches", [](State& s) { s.touches.clear(); }},
       {"touch_changed", [](State& s) { s.touch_changed = !s.touch_changed; }},
       {"depenetration_share", [](State& s) { s.depenetration_share = 0.5; }},
+      {"newton_pause", [](State& s) { s.newton_pause = 1; }},
       {"regainable_energy", [](State& s) { s.regainable_energy += 1e-9; }},
       {"energy_drift", [](State& s) { s.energy_drift += 1e-9; }},
       {"damping_excluded", [](State& s) { s.damping_excluded = !s.damping_excluded; }},
