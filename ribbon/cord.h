@@ -159,7 +159,7 @@ class Cord {
     bool touch_changed = false;      ///< a contact began or ended in the last step
     /// Share of its unexplained penetrations that the next step removes, above 0, at most 1.
     double depenetration_share = 1.0;
-    /// 1 after a step in which Newton's method has failed; 2 to 4 if it is left out in the next 1 to 3 steps.
+    /// 1 after a step in which Newton's method has failed; 2 to 16 if it is left out in the next 1 to 15 steps.
     int newton_pause = 0;
     double regainable_energy = 0.0;       ///< J, energy that later substeps may gain back
     double energy_drift = 0.0;            ///< J, lost since the cord was created; negative if gained

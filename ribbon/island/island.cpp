@@ -23,6 +23,9 @@ constexpr std::size_t usual_touches = 16;  // of a cord that may touch something
 constexpr double slower_depenetration = 0.25;
 constexpr double faster_depenetration = 2.0;
 constexpr double min_depenetration_share = 1.0 / 32.0;
+// Of Cord::State::newton_pause, after a step in which Newton's method has failed again: outside heaps, and in them.
+constexpr int usual_newton_pause = 4;
+constexpr int newton_pause_in_heaps = CordParts::max_newton_pause;
 
 /// Removing a penetration takes energy, f·p of a contact that presses with f. If the step gained it and was taken back,
 /// the next one would do the same, and hang. So it removes less, and later ones more again.
@@ -155,8 +158,8 @@ void Island::end_step() {
 
 /// Where Newton's method has failed in two steps, one after the other, it mostly does so again, at the cost of as many
 /// linear systems as the linearised solve takes. So it is left out in three steps, or fewer if one of them turns out to
-/// be easy. (The solve of a heap takes few systems, and does not tell.) A single failure is mostly an impact. A large
-/// budget is for as much as Newton's method needs.
+/// be easy; in a heap, whose solve takes few systems and does not tell, in fifteen. A single failure is mostly an
+/// impact. A large budget is for as much as Newton's method needs.
 void Island::store_newton_pause(bool linearised) {
   const bool pauses = linearised && !work_.has_large_budget() && (work_.was_hard() || truncates(true));
   for (const Member& member : state_.members) {
@@ -166,7 +169,7 @@ void Island::store_newton_pause(bool linearised) {
     } else if (pausing_newton_) {
       --pause;
     } else {
-      pause = pause == 0 ? 1 : CordParts::max_newton_pause;
+      pause = pause == 0 ? 1 : truncates(true) ? newton_pause_in_heaps : usual_newton_pause;
     }
   }
 }

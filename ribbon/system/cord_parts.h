@@ -22,7 +22,7 @@ struct WheelReach {
 /// What a Cord consists of: the solver works on it directly. Whatever else changes a cord goes through Cord, which
 /// checks values.
 struct CordParts {
-  static constexpr int max_newton_pause = 4;  // of Cord::State::newton_pause
+  static constexpr int max_newton_pause = 16;  // of Cord::State::newton_pause
 
   explicit CordParts(const CordDef& cord_def);
   /// Becomes a new cord of its definition, which was changed, in the same memory. A rope without bending stiffness
