@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ribbon/definition.h"
+#include "ribbon/geometry/rotation.h"
 #include "ribbon/linear/index.h"
 
 namespace ribbon {
@@ -47,6 +48,8 @@ void check_body(const Entry& entry, const RigidBody& body) {
   entry.check("inverse_mass", body.inverse_mass, 0.0, largest);
   entry.check("inverse_inertia", body.inverse_inertia, 0.0, largest);
   entry.check("acceleration", body.acceleration, max_acceleration);
+  entry.check("pushed", body.pushed);
+  entry.check("pushed_turn", body.pushed_turn, -max_component, max_component);
 }
 
 void check_surface(const Entry& entry, double friction, double restitution, double tangent_speed) {
@@ -75,6 +78,10 @@ void check_support(const Entry& entry, const Support& support) {
 }
 
 }  // namespace
+
+Vec2 RigidBody::start_of(Vec2 arm) const {
+  return was_pushed() ? start() + times(rotation(-pushed_turn), arm) : position + arm;
+}
 
 void check_bodies(std::span<const RigidBody> bodies) {
   for (std::size_t k = 0; k < bodies.size(); ++k) check_body({"bodies", k}, bodies[k]);

@@ -21,17 +21,29 @@ struct RigidBody {
   double inverse_mass = 0.0;      ///< 1/kg; 0 for a static or kinematic body
   double inverse_inertia = 0.0;   ///< 1/(kg·m²), about the centre of mass; 0 if the body cannot rotate
   Vec2 acceleration;              ///< m/s², of free motion, usually gravity
-  Vec2 impulse;                   ///< N·s, sum of the impulses from cords
-  double angular_impulse = 0.0;   ///< N·m·s, sum of the angular impulses about the centre of mass
-  Vec2 moved;                     ///< m, displacement in the step, of a body that holds a cord; undefined for others
-  double turned = 0.0;            ///< rad, rotation in the same step
-  bool solved = false;            ///< the direct solver has solved its motion with a cord
-  Vec2 support_force;             ///< N, out: of its supports at the end of the step
-  double support_torque = 0.0;    ///< N·m, out: of these forces about the centre of mass
+  /// m, displacement since the last step that its solve did not expect, because something else pushed the body: the
+  /// step moves the body from where it was expected, so that cords between are pushed and not passed. 0 for a body that
+  /// holds a cord.
+  Vec2 pushed;
+  double pushed_turn = 0.0;      ///< rad, the same of its rotation
+  Vec2 impulse;                  ///< N·s, sum of the impulses from cords
+  double angular_impulse = 0.0;  ///< N·m·s, sum of the angular impulses about the centre of mass
+  Vec2 moved;                    ///< m, displacement in the step, of a body that holds a cord; undefined for others
+  double turned = 0.0;           ///< rad, rotation in the same step
+  bool solved = false;           ///< the direct solver has solved its motion with a cord
+  Vec2 support_force;            ///< N, out: of its supports at the end of the step
+  double support_torque = 0.0;   ///< N·m, out: of these forces about the centre of mass
   // For dynamic bodies near cords that are allowed to sleep:
   bool awake = true;       ///< in: the body is awake
   bool may_sleep = false;  ///< in: the owner puts the body to sleep when a step sets `rests`
   bool rests = false;      ///< out: a cord that it holds or is near to slept during the step
+
+  /// Returns whether something else has pushed it.
+  bool was_pushed() const { return !(pushed == Vec2{} && pushed_turn == 0.0); }
+  /// Returns where the step begins, m.
+  Vec2 start() const { return position - pushed; }
+  /// Returns where a point of the body is then, m; `arm` is the vector from the centre of mass to it at `position`.
+  Vec2 start_of(Vec2 arm) const;
 };
 
 /// A circle that is fixed to a body.

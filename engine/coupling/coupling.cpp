@@ -71,6 +71,14 @@ void gather_supports(CouplingParts& parts) {
   }
 }
 
+/// Finds the pushes of bodies that hold nothing. What holds a cord and was pushed off it is drawn back; see GripTable.
+void gather_pushes(CouplingParts& parts) {
+  for (std::size_t b = 0; b < parts.bodies.entries.size(); ++b) {
+    const TickBody& entry = parts.bodies.entries[b];
+    if (!entry.holds) parts.carry.find_push(*entry.body, parts.bodies.rigid[b]);
+  }
+}
+
 /// Wakes sleeping bodies whose contact with a cord is over because the fixture has moved away, as Box2D does where one
 /// of its contacts ends. `touch` is a contact of the last step.
 void wake_if_it_left(const FixtureTouch& touch, FixtureIds& fixtures, b2World& world) {
@@ -239,13 +247,15 @@ void Coupling::gather(b2World& world, double dt) {
   for (CoupledCord& cord : parts.cords.active()) {
     Gatherer::add_shapes_of(cord, parts.conditions, index_of, parts.listener);
   }
-  parts.grips.gather(parts.cords, dt, [&](b2Body& body) {
+  const auto index_of_holder = [&](b2Body& body) {
     const int index = index_of(body);
     parts.bodies.entries[static_cast<std::size_t>(index)].holds = true;
     return index;
-  });
-  parts.pulleys.gather(parts.cords, index_of);
+  };
+  parts.grips.gather(parts.cords, dt, index_of_holder);
+  parts.pulleys.gather(parts.cords, index_of_holder);
   gather_supports(parts);
+  gather_pushes(parts);
   parts.ties.gather(parts.cords);
   const auto is_gathered = [&parts](const SeenBody& seen) {
     const b2Body* const body = parts.bodies.find(seen.body);

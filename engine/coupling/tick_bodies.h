@@ -17,7 +17,7 @@ namespace ribbon::box2d {
 struct TickBody {
   b2Body* body;             // null once it was forgotten
   CordId thesis_cord = -1;  // the last cord of the thesis's solver that it is near or holds
-  bool holds = false;       // it holds a cord
+  bool holds = false;       // it holds a cord or carries a wheel
   /// m/s, with which a tick may press it on its supports; see append_supports.
   double max_push = std::numeric_limits<double>::infinity();
 };

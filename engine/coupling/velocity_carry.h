@@ -59,6 +59,9 @@ class VelocityCarry {
   /// What supports push in the step is no part of the push that a body expects: takes it out of its acceleration. The
   /// body was completed.
   void leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports, double dt);
+  /// Finds where the last step expected a body that Box2D has then pushed elsewhere. One that was set elsewhere, or
+  /// that no step has moved, was not pushed.
+  void find_push(const b2Body& body, RigidBody& rigid) const;
   /// Begins the step of the bodies that were completed: the pushes that were read then are now those of the last tick.
   void begin_step();
   /// Makes the next world.Step move a body as the solver did, and stores the carry. Its supports push it by `max_push`

@@ -186,14 +186,17 @@ void fields(Archive& archive, T& state) {
 
 template <typename Archive, Is<ribbon::RigidBody> T>
 void fields(Archive& archive, T& body) {
-  auto& [position, velocity, angular_velocity, inverse_mass, inverse_inertia, acceleration, impulse, angular_impulse,
-         moved, turned, solved, support_force, support_torque, awake, may_sleep, rests] = body;
+  auto& [position, velocity, angular_velocity, inverse_mass, inverse_inertia, acceleration, pushed, pushed_turn,
+         impulse, angular_impulse, moved, turned, solved, support_force, support_torque, awake, may_sleep, rests] =
+      body;
   archive("position", position);
   archive("velocity", velocity);
   archive("angular_velocity", angular_velocity);
   archive("inverse_mass", inverse_mass);
   archive("inverse_inertia", inverse_inertia);
   archive("acceleration", acceleration);
+  archive("pushed", pushed);
+  archive("pushed_turn", pushed_turn);
   archive("impulse", impulse);
   archive("angular_impulse", angular_impulse);
   archive("moved", moved);

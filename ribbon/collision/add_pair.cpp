@@ -82,7 +82,7 @@ int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
   const RigidBody& rigid = state.rigid[at(body)];
   BodyAnchor anchor;
   anchor.arm = arm;
-  anchor.current = rigid.position + arm;
+  anchor.current = rigid.start_of(arm);
   if (rigid.inverse_mass > 0.0) {
     anchor.center = static_cast<int>(state.center(state.solved_body(body)));
   } else {

@@ -95,10 +95,11 @@ void MotionBounds::find(const IslandState& state) {
 }
 
 Box MotionBounds::anchor_box(const IslandState& state, const RigidBody& body, Vec2 arm) const {
-  const Vec2 start = body.position + arm;
-  const Vec2 end = start + state.dt * (body.velocity + body.angular_velocity * perp(arm));
-  const double turned = state.dt * body.angular_velocity;
-  return box_around(start, end, 0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? body_bound_ : 0.0));
+  const Vec2 now = body.position + arm;
+  const Vec2 end = now + state.dt * (body.velocity + body.angular_velocity * perp(arm));
+  const double turned = std::abs(state.dt * body.angular_velocity) + std::abs(body.pushed_turn);
+  return box_around(body.start_of(arm), end,
+                    0.5 * turned * turned * length(arm) + (body.inverse_mass > 0.0 ? body_bound_ : 0.0));
 }
 
 bool MotionBounds::enlarge(const IslandState& state) {
@@ -123,7 +124,7 @@ double MotionBounds::excess_of_bodies(const IslandState& state) const {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const RigidBody& body = state.rigid_of(state.bodies[k]);
     const Vec2 end = body.position + state.dt * body.velocity;
-    const double excess = find_separation(state.positions[state.center(k)], body.position, end).distance / body_bound_;
+    const double excess = find_separation(state.positions[state.center(k)], body.start(), end).distance / body_bound_;
     max = excess <= max ? max : excess;  // NaN counts as an excess
   }
   return max;
@@ -206,7 +207,7 @@ bool MotionBounds::limit(const IslandState& state, std::span<const Vec2> from, s
   }
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const RigidBody& body = state.rigid_of(state.bodies[k]);
-    limit_slot(state.center(k), body.position, body.position + state.dt * body.velocity, body_bound_);
+    limit_slot(state.center(k), body.start(), body.position + state.dt * body.velocity, body_bound_);
   }
   return all_within;
 }

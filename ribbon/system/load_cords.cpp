@@ -257,15 +257,18 @@ void load_reel(IslandState& state, const Member& member) {
   state.driven = state.driven || reeling;
 }
 
+/// A body that something has pushed begins where it was expected, with a velocity that makes up for the push p in the
+/// step: x + v·dt = (x − p) + (v + p/dt)·dt.
 void load_body(IslandState& state, std::size_t k) {
   const SolvedBody& solved = state.bodies[k];
   const RigidBody& body = state.rigid_of(solved);
   const std::size_t center = state.center(k);
   const std::size_t angle = state.angle(k);
-  state.positions[center] = body.position;
-  state.positions[angle] = {};
-  state.velocities[center] = body.velocity + body.inverse_mass * body.impulse;
-  state.velocities[angle] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
+  state.positions[center] = body.start();
+  state.positions[angle] = {-body.pushed_turn, 0.0};
+  state.velocities[center] = body.velocity + body.inverse_mass * body.impulse + (1.0 / state.dt) * body.pushed;
+  state.velocities[angle] = {
+      body.angular_velocity + body.inverse_inertia * body.angular_impulse + body.pushed_turn / state.dt, 0.0};
   const bool kinematic = body.inverse_mass == 0.0;
   state.accelerations[center] = kinematic ? Vec2{} : body.acceleration;  // that of a body which holds no cord
   state.accelerations[angle] = {};

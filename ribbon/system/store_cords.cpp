@@ -117,8 +117,8 @@ void store_bodies(const IslandState& state) {
     if (body.inverse_mass == 0.0) continue;
     const std::size_t center = state.center(k);
     const std::size_t angle = state.angle(k);
-    const Vec2 velocity = state.velocities[center];
-    const double turning = state.velocities[angle].x;
+    const Vec2 velocity = state.velocities[center] - (1.0 / state.dt) * body.pushed;
+    const double turning = state.velocities[angle].x - body.pushed_turn / state.dt;
     body.impulse = (1.0 / body.inverse_mass) * (velocity - body.velocity - state.dt * body.acceleration);
     if (state.bodies[k].turns) body.angular_impulse = (turning - body.angular_velocity) / body.inverse_inertia;
     body.moved = state.positions[center] - body.position;

@@ -23,6 +23,7 @@ double unconverged(const Summary& run) { return run.unconverged; }
 double stretch(const Summary& run) { return run.stretch; }
 double gain(const Summary& run) { return run.gain; }
 double crossings(const Summary& run) { return run.crossings; }
+double crossings_of_bodies(const Summary& run) { return run.crossings_moving + run.crossings_pressed; }
 double speed(const Summary& run) { return run.speed; }
 double gap(const Summary& run) { return std::max(run.gap, run.gap_pressed); }
 double late_stretch(const Summary& run) { return run.late_stretch; }
@@ -91,6 +92,8 @@ const Known scenes[] = {
      unconverged, 25},
     {"TensionsOfWhatIsTornApartStaySmall", wild(Family::hold_points, 9, Preset::fast), "unconverged substeps",
      unconverged, 250},
+    {"WhatBox2DPushesTakesTheCordAlong", gentle(Family::hold_points, 16, Preset::balanced), "crossings",
+     crossings_of_bodies, 0},
     {"WhatWasStretchedIsReeledIn", wild(Family::rope_self, 69, Preset::fast), "stretch after a second", late_stretch,
      1e-2},
     {"WhatWasStretchedIsReeledInBetweenHands", wild(Family::hold_points, 53, Preset::accurate),

@@ -185,6 +185,12 @@ TEST(Cord, RefusesInvalidStepsAndChangesNothing) {
   refuses_support({0, {}, {0.0, 0.5}}, "the length of normal");
   refuses_support({0, {}, {0.0, 1.0}, -1e-6}, "gap");
   refuses_support({0, {}, {0.0, 1.0}, 0.0, nan}, "speed");
+  bodies[1].pushed = {0.0, nan};
+  refuses(0.01, {}, {bodies, {}, {}, {}}, "bodies[1].pushed");
+  bodies[1].pushed = {};
+  bodies[1].pushed_turn = infinity;
+  refuses(0.01, {}, {bodies, {}, {}, {}}, "bodies[1].pushed_turn");
+  bodies[1].pushed_turn = 0.0;
   bodies[1].inverse_mass = -1.0;
   refuses(0.01, {}, {bodies, {}, {}, {}}, "bodies[1].inverse_mass");
   EXPECT_EQ(cord.save(), before);
