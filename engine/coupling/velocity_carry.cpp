@@ -17,8 +17,8 @@ constexpr double max_impact_share = 0.5;      // of a push that goes into the ve
 constexpr double max_acceleration = 1e19;     // m/s², of a body in a step of the solver
 // Displacements by Box2D that cords are to feel, m and rad: smaller ones leave them within reach of the contact, and
 // larger ones are no pushes.
-constexpr double least_push = 5e-3;
-constexpr double least_turn = 1.5e-2;
+constexpr double least_push = 1e-2;
+constexpr double least_turn = 3e-2;
 constexpr double most_push = 0.2;
 constexpr double most_turn = 0.5;
 
