@@ -59,8 +59,9 @@ class VelocityCarry {
   /// What supports push in the step is no part of the push that a body expects: takes it out of its acceleration. The
   /// body was completed.
   void leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports, double dt);
-  /// Finds where the last step expected a body that Box2D has then pushed elsewhere. One that was set elsewhere, or
-  /// that no step has moved, was not pushed.
+  /// Finds by how much a body is elsewhere than the last step expected it: Box2D has pushed it, or the game has set it
+  /// there. What is less than 1 cm and 0.03 rad, or more than 0.2 m or 0.5 rad, does not count, and neither does a body
+  /// that world.Step has not moved.
   void find_push(const b2Body& body, RigidBody& rigid) const;
   /// Begins the step of the bodies that were completed: the pushes that were read then are now those of the last tick.
   void begin_step();
