@@ -84,8 +84,10 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution, 
     const ContactSolve solve = is_impact_ ? ContactSolve::linearised_impact : ContactSolve::linearised;
     Piece taken = take_piece(context, time, dt, solve);
     const bool good = taken.solved && !taken.result.cut;
+    // The rest in one piece would be stopped as all of the step was: what hangs between two hands hangs for good.
+    const bool is_last_free = !taken.result.cut && taken.is_possible() && work.redoing_is_over();
     const bool is_repeat = dt == left && (piece >= max_pieces || work.redoing_is_over());
-    if (!good && !last && !is_repeat) {
+    if (!good && !last && !is_repeat && !is_last_free) {
       context.return_to_start();
       max = 0.5 * dt;
       is_impact_ = true;  // or nothing was in the way
@@ -109,7 +111,7 @@ bool LinearisedStep::take_truncated(const StepContext& context, Restitution& res
   contact_energy_ = context.contacts.energy_of_forces();
   was_pushed_ = false;
   const Piece taken = take_piece(context, 0.0, state.dt, ContactSolve::truncated);
-  if (!(taken.result.position_error <= NewtonSolver::max_displacement)) {
+  if (!taken.is_possible()) {
     context.return_to_start();
     return false;
   }
