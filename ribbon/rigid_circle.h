@@ -22,8 +22,8 @@ struct RigidBody {
   double inverse_inertia = 0.0;   ///< 1/(kg·m²), about the centre of mass; 0 if the body cannot rotate
   Vec2 acceleration;              ///< m/s², of free motion, usually gravity
   /// m, displacement since the last step that its solve did not expect, because something else pushed the body: the
-  /// step moves the body from where it was expected, so that cords between are pushed and not passed. Of dynamic bodies
-  /// that hold no cord; 0 of others.
+  /// step moves the body from where it was expected, so that cords between are pushed and not passed. It gives neither
+  /// of them a velocity. Of dynamic bodies that hold no cord; 0 of others.
   Vec2 pushed;
   double pushed_turn = 0.0;      ///< rad, the same of its rotation
   Vec2 impulse;                  ///< N·s, sum of the impulses from cords

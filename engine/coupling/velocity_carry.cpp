@@ -15,10 +15,10 @@ constexpr double single_roundings = 8.0;      // multiples of the rounding error
 constexpr double min_contact_delta_v = 1e-5;  // m/s, and as a share of the velocity: below, it is a rounding error
 constexpr double max_impact_share = 0.5;      // of a push that goes into the velocity; above, the push is an impact
 constexpr double max_acceleration = 1e19;     // m/s², of a body in a step of the solver
-// Displacements by Box2D that cords are to feel, m and rad: smaller ones leave them within reach of the contact, and
-// larger ones are no pushes.
-constexpr double least_push = 1e-2;
-constexpr double least_turn = 3e-2;
+// Displacements by Box2D that cords are to feel, m and rad: smaller ones are the slop of its solver, and larger ones
+// are no pushes.
+constexpr double least_push = 5e-3;
+constexpr double least_turn = 15e-3;
 constexpr double most_push = 0.2;
 constexpr double most_turn = 0.5;
 
@@ -196,8 +196,8 @@ void VelocityCarry::leave_to_supports(const b2Body& body, RigidBody& rigid, std:
   rigid.acceleration += bounded((1.0 / dt) * left, max_acceleration) - bounded((1.0 / dt) * before, max_acceleration);
 }
 
-void VelocityCarry::find_push(const b2Body& body, RigidBody& rigid) const {
-  const Entry* const found = entry(body);
+void VelocityCarry::find_push(const b2Body& body, RigidBody& rigid) {
+  Entry* const found = entry(body);
   if (found == nullptr || rigid.inverse_mass == 0.0) return;
   if (length(rigid.position - found->start) <= single_rounding(rigid.position)) return;
   const Vec2 pushed = rigid.position - found->position;
@@ -207,6 +207,10 @@ void VelocityCarry::find_push(const b2Body& body, RigidBody& rigid) const {
                           : 0.0;
   const bool is_small = length(pushed) < least_push && std::abs(turn) < least_turn;
   if (is_small || length(pushed) > most_push || std::abs(turn) > most_turn) return;
+  if (dot(found->next_expected_delta_v, pushed) > 0.0) {
+    rigid.acceleration -= bounded((1.0 / found->dt) * found->next_expected_delta_v, max_acceleration);
+    found->next_expected_delta_v = {};
+  }
   rigid.pushed = pushed;
   rigid.pushed_turn = turn;
 }

@@ -60,9 +60,10 @@ class VelocityCarry {
   /// body was completed.
   void leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports, double dt);
   /// Finds by how much a body is elsewhere than the last step expected it: Box2D has pushed it, or the game has set it
-  /// there. What is less than 1 cm and 0.03 rad, or more than 0.2 m or 0.5 rad, does not count, and neither does a body
-  /// that world.Step has not moved.
-  void find_push(const b2Body& body, RigidBody& rigid) const;
+  /// there. What is less than 5 mm and 0.015 rad, or more than 0.2 m or 0.5 rad, does not count, and neither does a
+  /// body that world.Step has not moved. A body that was pushed does not also expect a push in that direction: takes it
+  /// out of its acceleration. The body was completed.
+  void find_push(const b2Body& body, RigidBody& rigid);
   /// Begins the step of the bodies that were completed: the pushes that were read then are now those of the last tick.
   void begin_step();
   /// Makes the next world.Step move a body as the solver did, and stores the carry. Its supports push it by `max_push`

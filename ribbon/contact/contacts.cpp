@@ -103,11 +103,6 @@ bool Contacts::are_settled(std::span<const Vec2> x, double tolerance) {
   return CompliantContacts::are_settled(state(x), forces, tolerance);
 }
 
-bool Contacts::begin_restitution(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after,
-                                 double dt) {
-  return impacts.find_restitution(scene, x, before, after, dt, active);
-}
-
 void Contacts::end_restitution(std::span<const Vec2> x, const std::vector<Vec2>* step) {
   if (step != nullptr) impacts.take_restitution(scene.pairs, active, active.state(scene.anchors, x), *step);
   impacts.end_restitution();

@@ -60,7 +60,9 @@ struct Contacts {
 
   // Restitution, see Impacts:
 
-  bool begin_restitution(std::span<const Vec2> x, std::span<const Vec2> before, std::span<const Vec2> after, double dt);
+  bool begin_restitution(std::span<const Vec2> x, const ImpactVelocities& velocities, double dt) {
+    return impacts.find_restitution(scene, x, velocities, dt, active);
+  }
   /// Takes over the solution of the linear system, and ends the restitution.
   void end_restitution(std::span<const Vec2> x, const std::vector<Vec2>* step);
 

@@ -82,8 +82,10 @@ bool Impacts::touch_moving(const ContactScene& scene, Vec2 frame) const {
   return false;
 }
 
-bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> before,
-                               std::span<const Vec2> after, double dt, ActiveContacts& active) {
+/// A push moves a body but gives it no velocity. In the substep it had one, u, and so has what it took along. Without u
+/// the pair opens faster than it should, and the impulse that closes it again gives the body back what it has lost.
+bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> x, const ImpactVelocities& velocities,
+                               double dt, ActiveContacts& active) {
   active.begin_other(scene.anchors, x);
   separations_.clear();
   separations_.reserve(scene.pairs.capacity());
@@ -95,11 +97,14 @@ bool Impacts::find_restitution(const ContactScene& scene, std::span<const Vec2> 
     if (!(gap.distance < 2.0 * pair.contact_distance) || !is_local_minimum(pair, gap, state.positions)) continue;
     const SlotRow normal = normal_row(state, pair, gap);
     const double kinematic = kinematic_speed(pair, gap, state);
-    const double approach = -(normal.along(before) + kinematic);
-    if (approach < min_impact_speed) continue;
-    const double e = approach > min_restitution_speed ? pair.restitution : 0.0;
+    const double push = velocities.pushes.empty() ? 0.0 : normal.along(velocities.pushes);
+    const double approach = -(normal.along(velocities.before) - push + kinematic);
+    const double after = normal.along(velocities.after);
+    const bool is_thrown_apart = push < 0.0 && after - push + kinematic > std::max(0.0, -approach);
+    if (approach < min_impact_speed && !is_thrown_apart) continue;
+    const double wanted = approach > min_restitution_speed ? pair.restitution * approach : std::max(0.0, -approach);
     active.add({k, gap});
-    separations_.push_back(dt * (e * approach - normal.along(after) - kinematic));
+    separations_.push_back(dt * (wanted - after - kinematic + push));
   }
   return active.any();
 }

@@ -13,6 +13,12 @@ namespace ribbon {
 /// far as single precision can tell: targets and bodies have positions of that.
 inline bool is_at_rest(Vec2 velocity, Vec2 frame) { return length(velocity - frame) <= 1e-4 * length(frame); }
 
+/// Velocities by slot, m/s and rad/s, before and after a substep. Both contain those of RigidBody::pushed, `pushes`,
+/// which is empty if there are none.
+struct ImpactVelocities {
+  std::span<const Vec2> before, after, pushes;
+};
+
 /// The pairs that had a contact force in a substep, their impulses, and their restitution.
 class Impacts {
  public:
@@ -50,12 +56,12 @@ class Impacts {
   /// Returns whether any of the pairs contains a surface that moves along itself.
   bool touch_belt(const ContactScene& scene) const;
 
-  /// Finds the pairs that approached faster than 0.1 m/s, by velocities `before` and `after` the substep, by slot. They
-  /// become the active contacts at x. Until end_restitution(), load() gives the step in dt [s] after which each pair
-  /// separates at e times the speed of its approach, or not at all if that was below 0.5 m/s. Returns whether there are
-  /// any.
-  bool find_restitution(const ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> before,
-                        std::span<const Vec2> after, double dt, ActiveContacts& active);
+  /// Finds the pairs that approached faster than 0.1 m/s, and those that a push has thrown apart. They become the
+  /// active contacts at x. Until end_restitution(), load() gives the step in dt [s] after which each pair separates at
+  /// e times the speed of its approach, or not at all if that was below 0.5 m/s; one that was separating before the
+  /// push does so as fast as before. Returns whether there are any.
+  bool find_restitution(const ContactScene& scene, std::span<const Vec2> x, const ImpactVelocities& velocities,
+                        double dt, ActiveContacts& active);
   bool is_restituting() const { return !separations_.empty(); }
   /// Adds springs that open each contact by its separation to a linear system.
   void load(const ContactPairs& pairs, const ActiveContacts& active, const AnchorState& state, BlockLdlt& matrix,

@@ -64,6 +64,11 @@ bool is_moved_by_wheel(const IslandState& state, std::size_t point) {
 /// Returns an upper bound, J, for the work that is done in a substep, as far as it is known.
 double max_known_work(const IslandState& state) { return grip_work(state) + wheel_work(state) + max_drag_work(state); }
 
+/// Adds the pushes to the velocities.
+void add_pushes(IslandState& state, double factor) {
+  for (std::size_t p = 0; p < state.pushes.size(); ++p) state.velocities[p] += factor * state.pushes[p];
+}
+
 }  // namespace
 
 void EnergyGuard::begin_step(const IslandState& state) {
@@ -132,7 +137,36 @@ void EnergyGuard::store(const IslandState& state) const {
   }
 }
 
+void EnergyGuard::begin_pushes(IslandState& state) {
+  was_pushed_ = false;
+  if (state.pushes.empty()) return;
+  add_pushes(state, -1.0);
+  unpushed_ = energy_without_contacts(state).total();
+  add_pushes(state, 1.0);
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    const std::size_t center = state.center(k);
+    unpushed_ -= state.masses[center] * state.dt * dot(state.free_accelerations[center], state.pushes[center]);
+  }
+}
+
+void EnergyGuard::end_pushes(IslandState& state) const {
+  if (state.pushes.empty()) return;
+  add_pushes(state, -1.0);
+  if (was_pushed_) return;
+  const double gain = energy_without_contacts(state).total() - unpushed_ - max_known_work(state);
+  if (gain > 0.0) slow_down(state, gain);
+}
+
 CordEnergy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
+  Energy sum = energy_without_contacts(state);
+  if (!contacts.empty()) {
+    contacts.active.update(contacts.scene, state.positions);
+    sum.elastic += contacts.energy();
+  }
+  return sum;
+}
+
+CordEnergy EnergyGuard::energy_without_contacts(IslandState& state) {
   Energy sum;
   sum.elastic = wheel_energy(state) + support_energy(state);
   sum.potential = wheel_load_energy(state);
@@ -156,10 +190,6 @@ CordEnergy EnergyGuard::total_energy(IslandState& state, Contacts& contacts) {
     const std::size_t center = state.center(k);
     sum.potential -= state.masses[center] * dot(state.free_accelerations[center], x[center] - origin);
   }
-  if (!contacts.empty()) {
-    contacts.active.update(contacts.scene, x);
-    sum.elastic += contacts.energy();
-  }
   return sum;
 }
 
@@ -172,7 +202,11 @@ bool EnergyGuard::is_driven(const IslandState& state, const Contacts& contacts) 
 }
 
 void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
-  if (!is_pushed(state, contacts)) after_ = total_energy(state, contacts);
+  if (is_pushed(state, contacts)) {
+    was_pushed_ = true;
+  } else {
+    after_ = total_energy(state, contacts);
+  }
 }
 
 bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {

@@ -25,6 +25,12 @@ class EnergyGuard {
   /// Writes what the cords may regain and have lost back to them.
   void store(const IslandState& state) const;
 
+  /// Begins a step of which the slots are loaded: stores its energy, if something was pushed.
+  void begin_pushes(IslandState& state);
+  /// Ends the pushes (RigidBody::pushed): takes their parts out of the velocities, and with them the energy that they
+  /// have given the island: the work f·Δx, which nothing has lost.
+  void end_pushes(IslandState& state) const;
+
   /// Returns the total energy in that frame. Contacts are evaluated at the current positions.
   static Energy total_energy(IslandState& state, Contacts& contacts);
   /// Returns whether the island has to follow something that moves otherwise than in one frame, or that it touched
@@ -53,12 +59,15 @@ class EnergyGuard {
   void account(IslandState& state, const Contacts& contacts, const Energy& before);
 
  private:
+  static Energy energy_without_contacts(IslandState& state);
   double scale(const Energy& energy) const;
 
   double regainable_ = 0.0;    // J, lost in recent substeps; negative if gained
   double drift_ = 0.0;         // J, lost since the cords were created; negative if gained
   double weight_scale_ = 0.0;  // J, M·g·L, and so for loads
   Energy after_;
+  double unpushed_ = 0.0;    // J, at the start of the step, with pushed bodies where they were pushed
+  bool was_pushed_ = false;  // in the step: something changed the energy by an amount that is not known
 };
 
 }  // namespace ribbon

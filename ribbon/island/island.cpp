@@ -117,6 +117,7 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
   EnergyGuard::find_frame(state_, contacts_);
   state_.driven = state_.driven || state_.ties.closing;
   guard_.find_scale(state_);
+  guard_.begin_pushes(state_);
   work_.begin_attempt(state_);
 }
 
@@ -147,6 +148,7 @@ bool Island::take_substeps(bool linearised) {
 
 void Island::end_step() {
   if (state_.unlocking) ++work_.report.unlocked;
+  guard_.end_pushes(state_);
   store_cords(state_);
   guard_.store(state_);
   store_touches();

@@ -11,7 +11,8 @@ constexpr double min_share = 0.1;  // of the impulse: one that has to be less is
 
 void Restitution::apply(const StepContext& context, const CordEnergy& before, double dt) {
   IslandState& state = context.state;
-  if (!context.contacts.begin_restitution(state.positions, state.start.velocities, state.velocities, dt)) return;
+  const ImpactVelocities velocities{state.start.velocities, state.velocities, state.pushes};
+  if (!context.contacts.begin_restitution(state.positions, velocities, dt)) return;
   const std::vector<Vec2>* change = context.stages.find_restitution(state, context.contacts, dt);
   context.contacts.end_restitution(state.positions, change);
   if (change == nullptr) return;
@@ -23,12 +24,24 @@ void Restitution::apply(const StepContext& context, const CordEnergy& before, do
     }
     state.restart = true;
     state.add_damping(1.0);
-    if (!context.gained_energy(before, EnergyGuard::tolerated_gain))
+    if (loses_energy(state) || !context.gained_energy(before, EnergyGuard::tolerated_gain))
       return context.contacts.impacts.record_restitution(share, dt);
     state.add_damping(-1.0);
   }
   state.velocities = velocities_;
   state.add_damping(1.0);
+}
+
+/// Returns whether pushes have given more kinetic energy than is left. `velocities_` are those before restitution. The
+/// energy of the island is no measure: it has that of the pushes, which goes back to what was pushed.
+bool Restitution::loses_energy(const IslandState& state) const {
+  double gain = 0.0;
+  for (std::size_t p = 0; p < state.pushes.size(); ++p) {
+    const Vec2 before = velocities_[p] - state.pushes[p];
+    const Vec2 after = state.velocities[p] - state.pushes[p];
+    gain += state.masses[p] * (dot(after, after) - dot(before, before));
+  }
+  return gain < 0.0;
 }
 
 }  // namespace ribbon

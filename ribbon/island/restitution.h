@@ -9,7 +9,7 @@ namespace ribbon {
 
 /// Restitution after a substep: contacts that were hit open at their share of the speed with which they were hit. The
 /// impulse for that is one linear solve with the mass of everything involved. The rates at which links change length
-/// stay.
+/// stay. It also takes the velocity from what a push (RigidBody::pushed) took along.
 class Restitution {
  public:
   void resize(std::size_t slots) { velocities_.resize(slots); }
@@ -17,6 +17,8 @@ class Restitution {
   void apply(const StepContext& context, const CordEnergy& before, double dt);
 
  private:
+  bool loses_energy(const IslandState& state) const;
+
   std::vector<Vec2> velocities_;  // before restitution
 };
 

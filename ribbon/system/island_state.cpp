@@ -49,6 +49,7 @@ void IslandState::resize(std::size_t slots, std::size_t tension_count) {
                     &start.positions, &start.velocities}) {
     all->resize(slots);
   }
+  pushes.reserve(slots);
   masses.resize(slots);
   constrained.resize(slots);
   tensions.resize(tension_count);

@@ -182,6 +182,8 @@ struct IslandState {
   std::vector<char> constrained;
   // Of constrained slots: where the step found them, and their constant velocity in it.
   std::vector<Vec2> drive_starts, drive_velocities;
+  /// The parts of `velocities` that RigidBody::pushed makes, in the step alone. Empty if nothing was pushed.
+  std::vector<Vec2> pushes;
   std::vector<Vec2> medium_forces;  ///< N, at the end of the last stage; undefined unless in_medium
   /// Tensions of all cords and, behind them, two for each wheel, before and behind it, and two for each grip: the
   /// components of its pull on the body [N].

@@ -259,6 +259,14 @@ void load_reel(IslandState& state, const Member& member) {
 
 /// A body that something has pushed begins where it was expected, with a velocity that makes up for the push p in the
 /// step: x + v·dt = (x − p) + (v + p/dt)·dt.
+void load_push(IslandState& state, std::size_t k) {
+  const RigidBody& body = state.rigid_of(state.bodies[k]);
+  state.pushes.resize(state.slots());
+  state.pushes[state.center(k)] = (1.0 / state.dt) * body.pushed;
+  state.pushes[state.angle(k)] = {body.pushed_turn / state.dt, 0.0};
+  for (const std::size_t slot : {state.center(k), state.angle(k)}) state.velocities[slot] += state.pushes[slot];
+}
+
 void load_body(IslandState& state, std::size_t k) {
   const SolvedBody& solved = state.bodies[k];
   const RigidBody& body = state.rigid_of(solved);
@@ -266,9 +274,9 @@ void load_body(IslandState& state, std::size_t k) {
   const std::size_t angle = state.angle(k);
   state.positions[center] = body.start();
   state.positions[angle] = {-body.pushed_turn, 0.0};
-  state.velocities[center] = body.velocity + body.inverse_mass * body.impulse + (1.0 / state.dt) * body.pushed;
-  state.velocities[angle] = {
-      body.angular_velocity + body.inverse_inertia * body.angular_impulse + body.pushed_turn / state.dt, 0.0};
+  state.velocities[center] = body.velocity + body.inverse_mass * body.impulse;
+  state.velocities[angle] = {body.angular_velocity + body.inverse_inertia * body.angular_impulse, 0.0};
+  if (body.was_pushed()) load_push(state, k);
   const bool kinematic = body.inverse_mass == 0.0;
   state.accelerations[center] = kinematic ? Vec2{} : body.acceleration;  // that of a body which holds no cord
   state.accelerations[angle] = {};
@@ -343,6 +351,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
 }
 
 void load_bodies(IslandState& state) {
+  state.pushes.clear();
   for (std::size_t k = 0; k < state.bodies.size(); ++k) load_body(state, k);
   load_wheels(state);
   add_supports(state);

@@ -1,6 +1,7 @@
 #include "ribbon/system/store_cords.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "ribbon/linear/index.h"
@@ -104,6 +105,24 @@ void store_cord(IslandState& state, const Member& member) {
   cord.state.restart = true;
 }
 
+/// Returns the velocity v [m/s] of a body after a step in dt [s]. Where something was in the way of a push, v is
+/// against it. Nothing has thrown the body back: it is no faster in that direction than it was.
+Vec2 without_recoil(const RigidBody& body, double dt, Vec2 v) {
+  if (body.pushed == Vec2{}) return v;
+  const Vec2 along = (1.0 / length(body.pushed)) * body.pushed;
+  const Vec2 free = body.velocity + body.inverse_mass * body.impulse + dt * body.acceleration;
+  const double recoil = std::min(0.0, dot(free, along)) - dot(v, along);
+  return recoil > 0.0 ? v + recoil * along : v;
+}
+
+/// The same for its rotation, rad/s.
+double without_recoil(const RigidBody& body, double turning) {
+  if (body.pushed_turn == 0.0) return turning;
+  const double sign = std::copysign(1.0, body.pushed_turn);
+  const double free = body.angular_velocity + body.inverse_inertia * body.angular_impulse;
+  return sign * std::max(sign * turning, std::min(0.0, sign * free));
+}
+
 }  // namespace
 
 void store_cords(IslandState& state) {
@@ -117,8 +136,8 @@ void store_bodies(const IslandState& state) {
     if (body.inverse_mass == 0.0) continue;
     const std::size_t center = state.center(k);
     const std::size_t angle = state.angle(k);
-    const Vec2 velocity = state.velocities[center] - (1.0 / state.dt) * body.pushed;
-    const double turning = state.velocities[angle].x - body.pushed_turn / state.dt;
+    const Vec2 velocity = without_recoil(body, state.dt, state.velocities[center]);
+    const double turning = without_recoil(body, state.velocities[angle].x);
     body.impulse = (1.0 / body.inverse_mass) * (velocity - body.velocity - state.dt * body.acceleration);
     if (state.bodies[k].turns) body.angular_impulse = (turning - body.angular_velocity) / body.inverse_inertia;
     body.moved = state.positions[center] - body.position;
