@@ -93,6 +93,22 @@ TEST(PushedBody, LeavesTheCordWithTheVelocityOfTheBody) {
   }
 }
 
+/// The cord gets the velocity of the ball, which loses to it no more than in an impact without a push.
+TEST(PushedBody, GetsBackWhatThePushHasLost) {
+  for (const double mass : {0.05, 1.0}) {
+    ContactWorld world(straight());
+    world.gravity = {};
+    const int ball = world.add_ball({1.03, -0.03}, corner, mass, 0.3);
+    world.body(ball).velocity = {0.0, -2.0};
+    world.body(ball).pushed = {0.0, -0.06};
+    const Vec2 momentum = world.momentum();
+    world.step();
+    EXPECT_LT(world.body(ball).velocity.y, -1.0) << mass;
+    EXPECT_LT(world.fastest(), 2.1) << mass;
+    EXPECT_NEAR(length(world.momentum() - momentum), 0.0, 1e-9) << mass;
+  }
+}
+
 /// A cord is between the body and what stands still.
 TEST(PushedBody, IsNotThrownBack) {
   Pushed world;
