@@ -11,7 +11,8 @@ namespace ribbon {
 namespace {
 
 constexpr int max_pieces = 10;
-constexpr double impact_share = 0.05;  // of the least contact distance, that anything moves in a piece with an impact
+constexpr double max_last_error = 1e-3;  // m, of the last short piece, that is kept
+constexpr double impact_share = 0.05;    // of the least contact distance, that anything moves in a piece with an impact
 
 /// Returns the time until a moving body would be in a cord in free motion, s; `max` if none would. Cords in each other
 /// and in what stands still do not count: a rope that is drawn tight on itself would have many such impacts in a step,
@@ -85,7 +86,8 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution, 
     Piece taken = take_piece(context, time, dt, solve);
     const bool good = taken.solved && !taken.result.cut;
     // The rest in one piece would be stopped as all of the step was: what hangs between two hands hangs for good.
-    const bool is_last_free = !taken.result.cut && taken.is_possible() && work.redoing_is_over();
+    const bool is_last_free =
+        !taken.result.cut && taken.result.position_error <= max_last_error && work.redoing_is_over();
     const bool is_repeat = dt == left && (piece >= max_pieces || work.redoing_is_over());
     if (!good && !last && !is_repeat && !is_last_free) {
       context.return_to_start();
