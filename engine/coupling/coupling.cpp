@@ -75,7 +75,7 @@ void gather_supports(CouplingParts& parts) {
 void gather_pushes(CouplingParts& parts) {
   for (std::size_t b = 0; b < parts.bodies.entries.size(); ++b) {
     const TickBody& entry = parts.bodies.entries[b];
-    if (!entry.holds) parts.carry.find_push(*entry.body, parts.bodies.rigid[b]);
+    if (!entry.holds) parts.carry.find_push(*entry.body, parts.bodies.rigid[b], parts.conditions.dt);
   }
 }
 

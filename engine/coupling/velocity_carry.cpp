@@ -196,7 +196,7 @@ void VelocityCarry::leave_to_supports(const b2Body& body, RigidBody& rigid, std:
   rigid.acceleration += bounded((1.0 / dt) * left, max_acceleration) - bounded((1.0 / dt) * before, max_acceleration);
 }
 
-void VelocityCarry::find_push(const b2Body& body, RigidBody& rigid) {
+void VelocityCarry::find_push(const b2Body& body, RigidBody& rigid, double dt) {
   Entry* const found = entry(body);
   if (found == nullptr || rigid.inverse_mass == 0.0) return;
   if (length(rigid.position - found->start) <= single_rounding(rigid.position)) return;
@@ -208,7 +208,7 @@ void VelocityCarry::find_push(const b2Body& body, RigidBody& rigid) {
   const bool is_small = length(pushed) < least_push && std::abs(turn) < least_turn;
   if (is_small || length(pushed) > most_push || std::abs(turn) > most_turn) return;
   if (dot(found->next_expected_delta_v, pushed) > 0.0) {
-    rigid.acceleration -= bounded((1.0 / found->dt) * found->next_expected_delta_v, max_acceleration);
+    rigid.acceleration -= bounded((1.0 / dt) * found->next_expected_delta_v, max_acceleration);
     found->next_expected_delta_v = {};
   }
   rigid.pushed = pushed;

@@ -63,7 +63,7 @@ class VelocityCarry {
   /// there. What is less than 5 mm and 0.015 rad, or more than 0.2 m or 0.5 rad, does not count, and neither does a
   /// body that world.Step has not moved. A body that was pushed does not also expect a push in that direction: takes it
   /// out of its acceleration. The body was completed.
-  void find_push(const b2Body& body, RigidBody& rigid);
+  void find_push(const b2Body& body, RigidBody& rigid, double dt);
   /// Begins the step of the bodies that were completed: the pushes that were read then are now those of the last tick.
   void begin_step();
   /// Makes the next world.Step move a body as the solver did, and stores the carry. Its supports push it by `max_push`

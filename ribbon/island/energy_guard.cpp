@@ -139,6 +139,7 @@ void EnergyGuard::store(const IslandState& state) const {
 
 void EnergyGuard::begin_pushes(IslandState& state) {
   was_pushed_ = false;
+  known_work_ = 0.0;
   if (state.pushes.empty()) return;
   add_pushes(state, -1.0);
   unpushed_ = energy_without_contacts(state).total();
@@ -153,7 +154,7 @@ void EnergyGuard::end_pushes(IslandState& state) const {
   if (state.pushes.empty()) return;
   add_pushes(state, -1.0);
   if (was_pushed_) return;
-  const double gain = energy_without_contacts(state).total() - unpushed_ - max_known_work(state);
+  const double gain = energy_without_contacts(state).total() - unpushed_ - known_work_;
   if (gain > 0.0) slow_down(state, gain);
 }
 
@@ -206,6 +207,7 @@ void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
     was_pushed_ = true;
   } else {
     after_ = total_energy(state, contacts);
+    if (!state.pushes.empty()) known_work_ += max_known_work(state);
   }
 }
 

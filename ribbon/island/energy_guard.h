@@ -43,7 +43,8 @@ class EnergyGuard {
   static bool is_pushed(const IslandState& state, const Contacts& contacts) {
     return state.in_medium || is_driven(state, contacts);
   }
-  /// Stores the energy at the end of the substep, unless something pushes the island.
+  /// Stores the energy at the end of the substep, unless something pushes the island. Once a substep, or a part of it
+  /// that is kept.
   void measure(IslandState& state, Contacts& contacts);
   /// Measures, and returns whether the energy has risen since `before` by more than the work of grips, what may be
   /// regained and `tolerated` [share of the scene's energy]. Near contacts the larger one of the last two counts.
@@ -67,6 +68,7 @@ class EnergyGuard {
   double weight_scale_ = 0.0;  // J, M·g·L, and so for loads
   Energy after_;
   double unpushed_ = 0.0;    // J, at the start of the step, with pushed bodies where they were pushed
+  double known_work_ = 0.0;  // J, in the step so far, if something was pushed
   bool was_pushed_ = false;  // in the step: something changed the energy by an amount that is not known
 };
 

@@ -113,7 +113,7 @@ bool LinearisedStep::take_truncated(const StepContext& context, Restitution& res
   contact_energy_ = context.contacts.energy_of_forces();
   was_pushed_ = false;
   const Piece taken = take_piece(context, 0.0, state.dt, ContactSolve::truncated);
-  if (!taken.is_possible()) {
+  if (!(taken.result.position_error <= NewtonSolver::max_displacement)) {
     context.return_to_start();
     return false;
   }

@@ -12,7 +12,7 @@ namespace ribbon {
 /// free motion would take something into something, a piece ends, and a very short one takes the impact, in which
 /// nothing moves far. A piece that is not solved, or in which something was stopped, is redone by half. After a number
 /// of pieces, or of linear systems, the rest of the step is taken as it comes; before it the last piece, if nothing was
-/// stopped in it.
+/// stopped in it and little is left unsolved.
 class LinearisedStep {
  public:
   void resize(std::size_t slots, std::size_t tensions) { rollback_.resize(slots, tensions); }
@@ -30,7 +30,6 @@ class LinearisedStep {
     LinearisedResult result;
     CordEnergy before;
     bool truncated;
-    bool is_possible() const { return result.position_error <= NewtonSolver::max_displacement; }
   };
   double next_piece(const StepContext& context, double time, double left);
   Piece take_piece(const StepContext& context, double time, double dt, ContactSolve solve) const;

@@ -62,12 +62,11 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
 void Substeps::end(const StepContext& context, const CordEnergy& before, double dt, Restitution& restitution) {
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
-  context.guard.measure(state, contacts);
   if (!contacts.empty()) {
     restitution.apply(context, before, dt);
     restore_momentum(state, contacts);
-    context.guard.measure(state, contacts);
   }
+  context.guard.measure(state, contacts);
   if (state.overstretched) limit_speeds(state);
   context.guard.account(state, contacts, before);
   if (contacts.empty()) return;

@@ -99,6 +99,7 @@ const Known scenes[] = {
     {"WhatBox2DPushesIsNotExpectedToBePushed", gentle(Family::hold_between, 226, Preset::balanced), "gain of energy",
      gain, 1e-3},
     {"PushesThrowNothing", gentle(Family::ribbon_falls, 97, Preset::balanced), "gain of energy", gain, 1e-3},
+    {"WhatIsFarFromSolvedIsNotKept", wild(Family::grips_slip, 11, Preset::accurate), "stretch", stretch, 1e3},
     {"WhatWasStretchedIsReeledIn", wild(Family::rope_self, 69, Preset::fast), "stretch after a second", late_stretch,
      1e-2},
     {"WhatWasStretchedIsReeledInBetweenHands", wild(Family::hold_points, 53, Preset::accurate),
