@@ -46,6 +46,7 @@ void reset(IslandState& state) {
   state.ties.apart = state.ties.closing = false;
   state.points = 0;
   state.duals = 0;
+  state.now = 0.0;
 }
 
 std::size_t add_members(IslandState& state, std::span<const IslandCord> cords) {
