@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ribbon/box.h"
+#include "ribbon/linear/reserve_more.h"
 #include "ribbon/system/island_state.h"
 
 namespace ribbon {
@@ -29,7 +30,10 @@ class MotionBounds {
   void disable() { enabled_ = false; }
   bool enabled() const { return enabled_; }
   /// Stores where points and bodies are at the start of the attempt.
-  void store_start(const IslandState& state) { start_ = state.positions; }
+  void store_start(const IslandState& state) {
+    reserve_more(start_, state.positions.size());
+    start_ = state.positions;
+  }
 
   /// Returns the bound of the points of a member, m.
   double of(std::size_t member) const { return bounds_[member].all; }

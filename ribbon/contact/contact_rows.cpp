@@ -1,5 +1,7 @@
 #include "ribbon/contact/contact_rows.h"
 
+#include "ribbon/linear/reserve_more.h"
+
 namespace ribbon {
 
 SlotRow normal_row(const AnchorState& state, const ContactPair& pair, const Separation& gap) {
@@ -37,6 +39,7 @@ SlotRow slots_of(const ContactAnchors& anchors, const ContactPair& pair) {
 
 void SlipReference::set(const ContactAnchors& anchors, std::span<const Vec2> x) {
   anchors.positions(x, KinematicTime::current, positions_);
+  reserve_more(slots_, x.size());
   slots_.assign(x.begin(), x.end());
   time_ = anchors.time();
   const std::span<const BodyAnchor> bodies = anchors.bodies();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ribbon/linear/reserve_more.h"
+
 namespace ribbon {
 namespace {
 
@@ -14,8 +16,8 @@ constexpr int max_reductions = 12;            // of the fraction of a group, bef
 }  // namespace
 
 void ContactSweep::reserve(std::size_t anchors, std::size_t slots) {
-  ends_.reserve(anchors);
-  group_limits_.reserve(slots);
+  reserve_more(ends_, anchors);
+  reserve_more(group_limits_, slots);
 }
 
 void ContactSweep::set_path(ContactScene& scene, std::span<const Vec2> from, std::span<const Vec2> to) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ribbon/linear/index.h"
+#include "ribbon/linear/reserve_more.h"
 
 namespace ribbon {
 namespace {
@@ -19,6 +20,7 @@ void BlockPattern::begin(std::span<const int> order, std::span<const TiedSlot> t
 }
 
 void BlockPattern::assign_rows(std::span<const int> order) {
+  reserve_more(order_, order.size());
   order_.assign(order.begin(), order.end());
   for (std::size_t row = 0; row < order.size(); ++row) row_of_[at(order[row])] = static_cast<int>(row);
   for (const TiedSlot& tied : tied_) row_of_[at(tied.slot)] = row_of_[at(tied.with)];
@@ -51,6 +53,7 @@ void BlockPattern::end() {
 /// Sorts the couplings by row: a counting sort in O(rows + couplings).
 void BlockPattern::sort_couplings() {
   const std::size_t n = order_.size();
+  reserve_more(coupling_first_, n + 1);
   coupling_first_.assign(n + 1, 0);
   for (const auto& coupling : couplings_) ++coupling_first_[at(coupling[0]) + 1];
   for (std::size_t k = 0; k < n; ++k) coupling_first_[k + 1] += coupling_first_[k];
@@ -66,10 +69,10 @@ void BlockPattern::sort_couplings() {
 /// child are in order already; the others, mostly few, are sorted and merged into them.
 void BlockPattern::find_columns() {
   const std::size_t n = order_.size();
+  for (auto* all : {&first_child_, &next_child_, &mark_, &other_columns_}) reserve_more(*all, n);
   first_child_.assign(n, -1);
   next_child_.assign(n, -1);
   mark_.assign(n, -1);
-  other_columns_.reserve(n);
   first_.assign(1, 0);
   columns_.clear();
   for (std::size_t k = 0; k < n; ++k) {
@@ -125,6 +128,7 @@ void BlockPattern::merge_other_columns(std::size_t first) {
 void BlockPattern::find_widths() {
   const std::size_t n = order_.size();
   const auto columns_of = [this](std::size_t row) { return first_[row + 1] - first_[row]; };
+  reserve_more(widths_, n);
   widths_.assign(n, 1);
   for (std::size_t k = 0; k < n; k += at(widths_[k])) {
     std::size_t width = 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ribbon/linear/index.h"
+#include "ribbon/linear/reserve_more.h"
 #include "ribbon/system/stretch.h"
 
 namespace ribbon {
@@ -16,8 +17,8 @@ constexpr double softening = 1e-6;   // of the diagonal: a taut cord between two
 
 void LinkLengths::resize(std::size_t slots) {
   mobility_.resize(slots);
-  rows_.reserve(slots);
-  before_.reserve(slots);
+  reserve_more(rows_, slots);
+  reserve_more(before_, slots);
 }
 
 void LinkLengths::restore(IslandState& state, std::span<const double> inertia) {
