@@ -12,6 +12,7 @@ namespace {
 
 constexpr int max_pieces = 10;
 constexpr double max_last_error = 1e-3;  // m, of the last short piece, that is kept
+constexpr double lost_lengths = 10.0;    // of the longest cord, beyond which what is not solved is lost
 constexpr double impact_share = 0.05;    // of the least contact distance, that anything moves in a piece with an impact
 
 /// Returns the time until a moving body would be in a cord in free motion, s; `max` if none would. Cords in each other
@@ -97,7 +98,8 @@ void LinearisedStep::take(const StepContext& context, Restitution& restitution, 
       continue;
     }
     const bool hangs = !taken.solved && taken.result.cut && leaves_hanging(state);
-    if (hangs && may_truncate && !work.has_spent()) taken = retake_truncated(context, time, dt);
+    const bool may_be_retaken = is_lost(state, taken) || (hangs && !work.has_spent());
+    if (may_truncate && may_be_retaken) taken = retake_truncated(context, time, dt);
     end_piece(context, taken, dt, restitution);
     time = dt == left ? state.dt : time + dt;
     max = state.dt - time;
@@ -158,8 +160,15 @@ LinearisedStep::Piece LinearisedStep::take_piece(const StepContext& context, dou
   return piece;
 }
 
-/// Retakes a piece that is not solved and in which something was stopped. In the next step that would find the same
-/// problem, fail at it again, and hang where it is.
+/// Returns whether a piece ended far beyond all that its cords reach. Kept, it would tear them.
+bool LinearisedStep::is_lost(const IslandState& state, const Piece& piece) {
+  double longest = 0.0;
+  for (const Member& member : state.members) longest = std::max(longest, member.cord->def.length);
+  return !piece.solved && !(piece.result.position_error <= lost_lengths * longest);
+}
+
+/// Retakes a piece that is lost, or that is not solved and in which something was stopped. In the next step that would
+/// find the same problem, fail at it again, and hang where it is.
 LinearisedStep::Piece LinearisedStep::retake_truncated(const StepContext& context, double time, double dt) const {
   context.return_to_start();
   return take_piece(context, time, dt, ContactSolve::truncated);

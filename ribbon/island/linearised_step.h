@@ -33,6 +33,7 @@ class LinearisedStep {
   };
   double next_piece(const StepContext& context, double time, double left);
   Piece take_piece(const StepContext& context, double time, double dt, ContactSolve solve) const;
+  static bool is_lost(const IslandState& state, const Piece& piece);
   Piece retake_truncated(const StepContext& context, double time, double dt) const;
   void end_piece(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
   bool take_back(const StepContext& context, const Piece& piece, double dt, Restitution& restitution);
