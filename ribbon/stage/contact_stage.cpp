@@ -18,6 +18,7 @@ constexpr double unsettled_share = 1e-2;         // of the tolerance, by which u
 constexpr double crawling_share = 0.1;           // of a step: if less is taken, its contacts were not as expected
 constexpr int enough_full_steps = 2;             // of a stage with soft contacts
 constexpr int max_length_iterations = 6;         // of a stage, in which links may not stretch; later ones may
+constexpr double most_driven_strain = 1e-2;      // of links, while something is driven: it may stretch them
 constexpr double driven_rest = 1e-9;             // share of a driven displacement that counts as none
 
 }  // namespace
@@ -153,6 +154,7 @@ bool ContactStage::is_solution(const StageContext& context, const StageRequest& 
     link_lengths_.restore(state, stage.inertia);
     if (became_stretched(state, state.accuracy.soft_contacts ? max_strain : LinkLengths::restored_strain)) return false;
   }
+  if (state.driven && state.wheels.empty() && became_stretched(state, most_driven_strain)) return false;
   context.contacts.active.update(context.contacts.scene, context.state.positions);
   context.contacts.record_impacts(context.state.positions, request.time_weight);
   return context.contacts.sweep.path_is_clear(context.contacts.scene, request.from, context.state.positions);
