@@ -35,6 +35,7 @@ using ContactKey = std::array<int, 4>;
 struct ContactState {
   ContactKey key{};
   bool touching = false;
+  bool enabled = true;
   b2Manifold manifold;
   float friction = 0.0F;
   float restitution = 0.0F;
@@ -59,6 +60,7 @@ BodyState state_of(const b2Body& body) {
 ContactState state_of(const b2Contact& contact, const ContactKey& key) {
   return {key,
           contact.IsTouching(),
+          contact.IsEnabled(),
           *contact.GetManifold(),
           contact.GetFriction(),
           contact.GetRestitution(),
@@ -72,6 +74,7 @@ void put_back(b2Contact& contact, const ContactState& state) {
   contact.SetRestitution(state.restitution);
   contact.SetRestitutionThreshold(state.restitution_threshold);
   contact.SetTangentSpeed(state.tangent_speed);
+  contact.SetEnabled(state.enabled);
 }
 
 /// A contact that the saved state does not have starts without impulses.

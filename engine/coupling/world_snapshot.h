@@ -13,8 +13,9 @@ namespace ribbon::box2d {
 ///
 /// Put back are:
 /// - of each body: type, position, angle, velocities, and whether it is enabled and awake;
-/// - of each contact: whether it exists, the whole manifold with the impulses that start the next solve, friction,
-///   restitution and its threshold, tangent speed, and, with the snapshot of the tick before, whether it touches;
+/// - of each contact: whether it exists and is enabled, the whole manifold with the impulses that start the next solve,
+///   friction, restitution and its threshold, tangent speed, and, with the snapshot of the tick before, whether it
+///   touches;
 /// - the order of the contacts, on which the solver's result depends.
 ///
 /// Not put back are:

@@ -167,6 +167,20 @@ TEST(WorldSnapshot, AContactThatWasNotThereStartsWithoutImpulses) {
   EXPECT_EQ(box.GetContactList()->contact->GetManifold()->points[0].normalImpulse, 0.0F);
 }
 
+/// A listener, or a step of continuous collision, may disable a contact until it is updated again.
+TEST(WorldSnapshot, PutsDisabledContactsBack) {
+  SavedWorld world;
+  const b2Body& box = add_box(world.world, {0.0F, 0.5F});
+  world.tick(10);
+  box.GetContactList()->contact->SetEnabled(false);
+  WorldSnapshot snapshot;
+  snapshot.save(world.world);
+  world.tick();
+  ASSERT_TRUE(box.GetContactList()->contact->IsEnabled());
+  snapshot.restore(world.world);
+  EXPECT_FALSE(box.GetContactList()->contact->IsEnabled());
+}
+
 TEST(WorldSnapshot, PutsSleepBack) {
   SavedWorld world;
   b2Body& box = add_box(world.world, {0.0F, 0.5F});
