@@ -126,6 +126,11 @@ void DirectSolver::find_islands(std::span<const IslandCord> cords, std::span<con
     for (const Axle& axle : cords[k].surroundings.axles) join_by_body(k, axle.body, bodies);
     for (const RigidCircle& circle : cords[k].surroundings.circles) join_by_body(k, circle.body, bodies);
     for (const RigidSegment& segment : cords[k].surroundings.segments) join_by_body(k, segment.body, bodies);
+    for (const Support& support : cords[k].surroundings.supports) {
+      if (support.other < 0) continue;
+      join_by_body(k, support.body, bodies);
+      join_by_body(k, support.other, bodies);
+    }
   }
   const auto tied = ties_->points();
   for (std::size_t k = 1; k < tied.size(); ++k) {

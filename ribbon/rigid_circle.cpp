@@ -33,6 +33,9 @@ class Entry {
     throw DefinitionError(name(field) + " is " + std::to_string(value) + "; accepted is an index below " +
                           std::to_string(count));
   }
+  [[noreturn]] void refuse(const char* field, const char* value, const char* accepted) const {
+    throw DefinitionError(name(field) + " is " + value + "; accepted is " + accepted);
+  }
 
  private:
   std::string name(const char* field) const { return std::string(list_) + "[" + std::to_string(index_) + "]." + field; }
@@ -67,8 +70,15 @@ void check_grip(const Entry& entry, const Grip& grip) {
   entry.check("strength", grip.strength, 0.0, std::numeric_limits<double>::infinity());
 }
 
+void check_other(const Entry& entry, const Support& support, std::size_t bodies) {
+  if (support.other == -1) return;
+  entry.check_index("other", support.other, bodies);
+  if (support.other == support.body) entry.refuse("other", "the supported body", "another one, or -1");
+}
+
 void check_support(const Entry& entry, const Support& support) {
   entry.check("arm", support.arm);
+  entry.check("other_arm", support.other_arm);
   entry.check("normal", support.normal, 1.0);
   if (const double size = length(support.normal); std::abs(size - 1.0) > max_normal_error) {
     entry.check("the length of normal", size, 1.0 - max_normal_error, 1.0 + max_normal_error);
@@ -121,8 +131,10 @@ void check_surroundings(const Surroundings& surroundings, std::size_t bodies, in
   }
   for (std::size_t k = 0; k < surroundings.supports.size(); ++k) {
     const Entry entry("supports", k);
-    entry.check_index("body", surroundings.supports[k].body, bodies);
-    check_support(entry, surroundings.supports[k]);
+    const Support& support = surroundings.supports[k];
+    entry.check_index("body", support.body, bodies);
+    check_other(entry, support, bodies);
+    check_support(entry, support);
   }
 }
 

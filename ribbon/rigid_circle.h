@@ -90,16 +90,19 @@ struct Grip {
   Vec2 across{};
 };
 
-/// A place where something that does not give way keeps a body that holds a cord from moving, as the ground does. The
-/// direct solver lets the place move away, and towards the support no further than the gap. Without it, a body that is
-/// lighter than what hangs on its cord would be drawn through the ground in the step. Friction there is for the owner
-/// of the body.
+/// A place where something keeps a body that holds or touches a cord from moving: the ground, or another body that
+/// presses it against the cord. The direct solver lets the place move away, and towards the support no further than the
+/// gap. Without it, a body that is lighter than what hangs or lies on it would be drawn or pressed through the ground
+/// in the step. Friction there is for the owner of the body.
 struct Support {
   int body = 0;        ///< index into the bodies of the step: the one that is supported
   Vec2 arm;            ///< m, from its centre of mass to the place, in world directions
   Vec2 normal;         ///< unit vector from the support to the body
-  double gap = 0.0;    ///< m, 0 or more, by which the place may get nearer to the support
-  double speed = 0.0;  ///< m/s, of the support along the normal
+  double gap = 0.0;    ///< m, 0 or more, by which the place may get nearer to the support; after a push of the body
+  double speed = 0.0;  ///< m/s, of the support along the normal; that of `other` does not count
+  int other = -1;      ///< index of the body that supports it and gives way itself; −1 for what does not give way
+  Vec2 other_arm{};    ///< m, from the centre of mass of `other` to the place, in world directions
+  bool operator==(const Support&) const = default;
 };
 
 /// The surroundings of a cord in one step.
@@ -112,8 +115,8 @@ struct Surroundings {
   /// What flows around the cord; null for none. It must outlive the step. The thesis's solver refuses it.
   const Medium* medium = nullptr;
   double time = 0.0;  ///< s, for the medium: at the start of the step, within ±1e12
-  /// Of bodies that hold the cord or carry its wheels; the thesis's solver ignores them. If a body of several cords has
-  /// supports, those of the first cord count.
+  /// Of bodies that hold the cord, carry its wheels or may touch it; the thesis's solver ignores them. A support that
+  /// several cords have counts once.
   std::span<const Support> supports = {};
 };
 

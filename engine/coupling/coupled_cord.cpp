@@ -16,7 +16,7 @@ namespace {
 // Memory that every cord has from the start.
 constexpr std::size_t usual_fixtures = 64;
 constexpr std::size_t usual_grips = 8;
-constexpr std::size_t usual_supports = 8;
+constexpr std::size_t usual_supports = 32;
 constexpr std::size_t usual_touches = 16;
 
 CordShape shape_of(const ThesisCord& cord) {

@@ -41,7 +41,7 @@ struct CoupledCord {
   std::vector<Grip> grips{};
   std::vector<GripId> grip_ids{};   // of each grip
   std::vector<Axle> axles{};        // of its pulleys
-  std::vector<Support> supports{};  // of the bodies that hold it or carry its pulleys
+  std::vector<Support> supports{};  // of the bodies that hold it, carry its pulleys or may touch it
   bool tied = false;
   int step_index = 0;                           // among the cords of the step, of the direct solver
   std::vector<FixtureTouch> touching{};         // in the last step, by fixture number

@@ -8,6 +8,7 @@
 #include "ribbon/box2d/convert.h"
 #include "ribbon/box2d/cord_cutting.h"
 #include "ribbon/box2d/coupling_parts.h"
+#include "ribbon/box2d/gather_supports.h"
 #include "ribbon/box2d/step_cords.h"
 #include "ribbon/box2d/supports.h"
 #include "ribbon/cord_sweep.h"
@@ -45,30 +46,6 @@ b2Fixture* find_if_it_left(std::uint64_t number, FixtureIds& fixtures, b2World& 
   b2Fixture* const fixture = find_fixture(world.GetBodyList(), known->seen_as);
   known->exists = fixture != nullptr;
   return fixture;
-}
-
-/// Gives a cord the supports of the bodies that hold it or carry its wheels.
-void gather_supports_of(CouplingParts& parts, CoupledCord& cord) {
-  const auto gather = [&](int index) {
-    const auto is_gathered = [index](const Support& support) { return support.body == index; };
-    if (std::any_of(cord.supports.begin(), cord.supports.end(), is_gathered)) return;
-    TickBody& entry = parts.bodies.entries[static_cast<std::size_t>(index)];
-    RigidBody& rigid = parts.bodies.rigid[static_cast<std::size_t>(index)];
-    if (rigid.inverse_mass == 0.0) return;
-    const std::size_t first = cord.supports.size();
-    const double reach = parts.grips.reach_of_kept_off(cord, index, parts.conditions.dt);
-    entry.max_push = append_supports(*entry.body, {index, reach, parts.near_fixtures}, cord.supports);
-    if (cord.supports.size() == first) return;
-    parts.carry.leave_to_supports(*entry.body, rigid, std::span(cord.supports).subspan(first), parts.conditions.dt);
-  };
-  for (const Grip& grip : cord.grips) gather(grip.body);
-  for (const Axle& axle : cord.axles) gather(axle.body);
-}
-
-void gather_supports(CouplingParts& parts) {
-  for (CoupledCord& cord : parts.cords.active()) {
-    if (cord.enabled && cord.is_direct()) gather_supports_of(parts, cord);
-  }
 }
 
 /// Finds the pushes of bodies that hold nothing. What holds a cord and was pushed off it is drawn back; see GripTable.

@@ -11,6 +11,7 @@ namespace ribbon::box2d {
 namespace {
 
 constexpr std::size_t usual_bodies = 64;
+constexpr std::size_t usual_found_supports = 16;  // of a body
 constexpr std::size_t usual_events = 16;
 
 }  // namespace
@@ -21,6 +22,8 @@ CordId CouplingParts::add(std::unique_ptr<CoupledCord> cord) {
   fixtures.reserve(usual_bodies);
   finder.reserve(usual_bodies);
   near_fixtures.reserve(usual_bodies);
+  found_supports.reserve(usual_found_supports);
+  supported.reserve(usual_bodies);
   touches.reserve(usual_events);
   cuts.reserve(usual_events);
   overloaded.reserve(usual_events);

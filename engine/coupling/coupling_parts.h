@@ -18,6 +18,7 @@
 #include "ribbon/box2d/sensor_tracker.h"
 #include "ribbon/box2d/spare_cords.h"
 #include "ribbon/box2d/step_watcher.h"
+#include "ribbon/box2d/supports.h"
 #include "ribbon/box2d/tick_bodies.h"
 #include "ribbon/box2d/tie_table.h"
 #include "ribbon/box2d/touch_tracker.h"
@@ -36,6 +37,12 @@ enum class TickPhase : unsigned char { between_ticks, gathered, stepped };
 struct RestoreMemory {
   std::vector<b2Body*> bodies;              // of the world, in the order of creation
   std::vector<std::pair<int, int>> places;  // of fixtures: their body's, and among those of the body
+};
+
+/// A body of which supports are gathered.
+struct SupportedBody {
+  int index = 0;  // of the body in the tick
+  int depth = 0;  // how many bodies are between it and the one that is near the cord, and that one
 };
 
 /// Where the path of a blade cuts a cord.
@@ -71,6 +78,8 @@ struct CouplingParts {
   std::vector<CordReport> reports;
   SpareCords spares;
   std::vector<b2Fixture*> near_fixtures;                  // memory of append_supports
+  std::vector<FoundSupport> found_supports;               // of a body
+  std::vector<SupportedBody> supported;                   // of a cord
   std::vector<BladeCut> blade_cuts;                       // by cord, of each the last place first
   std::vector<TouchImpulse> impulses;                     // of a fixture, for the listener
   std::vector<std::pair<CordId, int>> overloaded;         // cords and their links

@@ -11,26 +11,46 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr double max_wedging_speed = 0.9;  // m/s, with which a cord may press a body between several contacts
-constexpr double threshold_share = 0.9;    // of the speed from which on Box2D lets a body rebound
+constexpr double max_wedging_speed = 0.9;     // m/s, with which a cord may press a body between several contacts
+constexpr double threshold_share = 0.9;       // of the speed from which on Box2D lets a body rebound
+constexpr double least_pressing_speed = 0.3;  // m/s, that a contact gives the lighter body in a tick
 constexpr double resting_overlap = 0.5 * static_cast<double>(b2_linearSlop);  // m, less than Box2D takes back
 
-/// Returns whether a body that does not give way may push the body of this contact.
-bool may_support(const b2ContactEdge& edge) {
-  const b2Contact& contact = *edge.contact;
-  return edge.other->GetType() != b2_dynamicBody && contact.IsEnabled() && !contact.GetFixtureA()->IsSensor() &&
-         !contact.GetFixtureB()->IsSensor();
+/// Returns whether a contact between dynamic bodies pushed the lighter one so much that it matters where cords are.
+bool presses(const b2Contact& contact) {
+  double impulse = 0.0;
+  for (int k = 0; k < contact.GetManifold()->pointCount; ++k) {
+    impulse += static_cast<double>(contact.GetManifold()->points[k].normalImpulse);
+  }
+  const double mass = static_cast<double>(
+      std::min(contact.GetFixtureA()->GetBody()->GetMass(), contact.GetFixtureB()->GetBody()->GetMass()));
+  return impulse > least_pressing_speed * mass;
 }
 
-/// Returns the support of a body by another one at a place of the body, m, that is `distance` [m] from the other one.
+/// Returns whether a body is moved by what pushes it. Box2D takes a dynamic body without mass for one that is not.
+bool gives_way(const b2Body& body) { return body.GetType() == b2_dynamicBody && body.GetMass() > 0.0F; }
+
+/// Returns whether the other body of a contact may push this one.
+bool may_support(const b2ContactEdge& edge) {
+  const b2Contact& contact = *edge.contact;
+  if (!contact.IsEnabled() || contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor()) return false;
+  return !gives_way(*edge.other) || (contact.IsTouching() && presses(contact));
+}
+
+/// Returns the support by a body at a place of the supported one, m, that is `distance` [m] from the other one.
 /// The normal is towards the body.
-Support support_by(const b2Body& other, const b2Body& body, b2Vec2 place, Vec2 normal, double distance) {
-  Support support;
-  support.arm = to_double(place) - to_double(body.GetWorldCenter());
+FoundSupport support_by(b2Body& other, b2Vec2 place, Vec2 normal, double distance) {
+  FoundSupport found;
+  Support& support = found.support;
+  found.place = to_double(place);
   support.normal = normal;
   support.gap = distance > 0.0 ? distance + resting_overlap : 0.0;
-  support.speed = dot(to_double(other.GetLinearVelocityFromWorldPoint(place)), normal);
-  return support;
+  if (gives_way(other)) {
+    found.other = &other;
+  } else {
+    support.speed = dot(to_double(other.GetLinearVelocityFromWorldPoint(place)), normal);
+  }
+  return found;
 }
 
 /// Returns whether Box2D lets two fixtures of different bodies collide.
@@ -52,7 +72,7 @@ struct NearFixture {
 
 /// Appends the place where a child of each of two fixtures that do not touch are nearest to each other. The normal is
 /// that between their shapes without radii: the surfaces may be nearer to each other than single precision tells.
-void append_nearest(const NearFixture& near, int own_child, int other_child, std::vector<Support>& supports) {
+void append_nearest(const NearFixture& near, int own_child, int other_child, std::vector<FoundSupport>& supports) {
   b2DistanceInput input;
   input.proxyA.Set(near.own.GetShape(), own_child);
   input.proxyB.Set(near.other.GetShape(), other_child);
@@ -69,7 +89,7 @@ void append_nearest(const NearFixture& near, int own_child, int other_child, std
   if (!(distance > 0.0 && distance < near.reach)) return;
   const Vec2 normal = (1.0 / length(to_body)) * to_body;
   const b2Vec2 place = to_float(to_double(nearest.pointA) - own_radius * normal);
-  supports.push_back(support_by(*near.other.GetBody(), *near.own.GetBody(), place, normal, distance));
+  supports.push_back(support_by(*near.other.GetBody(), place, normal, distance));
 }
 
 /// Collects each fixture once, although Box2D reports it for each of its children.
@@ -84,7 +104,8 @@ struct FixtureCollector : b2QueryCallback {
 
 /// Appends the places of static and kinematic bodies that a fixture does not touch, but that are within `reach` [m].
 /// The contacts of Box2D would not do: which it has of bodies that do not touch depends on where they have been.
-void append_near(b2Fixture& fixture, double reach, std::vector<b2Fixture*>& memory, std::vector<Support>& supports) {
+void append_near(b2Fixture& fixture, double reach, std::vector<b2Fixture*>& memory,
+                 std::vector<FoundSupport>& supports) {
   FixtureCollector collector(memory);
   const b2Vec2 margin{static_cast<float>(reach), static_cast<float>(reach)};
   for (int child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
@@ -105,7 +126,7 @@ void append_near(b2Fixture& fixture, double reach, std::vector<b2Fixture*>& memo
 
 /// Appends the points at which the bodies of a contact touch now. (The contact's own manifold is of the start of the
 /// last world.Step.) Where they overlap, Box2D keeps them from getting nearer. Returns whether there are any.
-bool append(const b2Body& body, const b2ContactEdge& edge, std::vector<Support>& supports) {
+bool append(const b2Body& body, const b2ContactEdge& edge, std::vector<FoundSupport>& supports) {
   b2Contact& contact = *edge.contact;
   const b2Fixture& a = *contact.GetFixtureA();
   const b2Fixture& b = *contact.GetFixtureB();
@@ -117,7 +138,7 @@ bool append(const b2Body& body, const b2ContactEdge& edge, std::vector<Support>&
                     b.GetShape()->m_radius);
   const Vec2 to_body = to_double(b.GetBody() == &body ? places.normal : -places.normal);
   for (int k = 0; k < manifold.pointCount; ++k) {
-    supports.push_back(support_by(*edge.other, body, places.points[k], (1.0 / length(to_body)) * to_body,
+    supports.push_back(support_by(*edge.other, places.points[k], (1.0 / length(to_body)) * to_body,
                                   static_cast<double>(places.separations[k])));
   }
   return true;
@@ -126,7 +147,7 @@ bool append(const b2Body& body, const b2ContactEdge& edge, std::vector<Support>&
 }  // namespace
 
 /// In an order that does not depend on that of Box2D's list.
-double append_supports(b2Body& body, const SupportSearch& search, std::vector<Support>& supports) {
+double append_supports(b2Body& body, const SupportSearch& search, std::vector<FoundSupport>& supports) {
   const auto first = static_cast<std::ptrdiff_t>(supports.size());
   double max_push = std::numeric_limits<double>::infinity();
   int contacts = 0;
@@ -140,12 +161,12 @@ double append_supports(b2Body& body, const SupportSearch& search, std::vector<Su
     for (b2Fixture* own = body.GetFixtureList(); own != nullptr; own = own->GetNext())
       append_near(*own, search.reach, search.memory, supports);
   }
-  for (auto added = supports.begin() + first; added != supports.end(); ++added) added->body = search.index;
-  const auto key = [](const Support& s) {
-    return std::tuple(s.normal.x, s.normal.y, s.arm.x, s.arm.y, s.gap, s.speed);
+  const auto key = [](const FoundSupport& found) {
+    const Support& s = found.support;
+    return std::tuple(s.normal.x, s.normal.y, found.place.x, found.place.y, s.gap, s.speed);
   };
   std::sort(supports.begin() + first, supports.end(),
-            [&](const Support& a, const Support& b) { return key(a) < key(b); });
+            [&](const FoundSupport& a, const FoundSupport& b) { return key(a) < key(b); });
   return contacts > 1 ? std::min(max_push, max_wedging_speed) : max_push;
 }
 

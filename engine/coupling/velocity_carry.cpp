@@ -185,13 +185,11 @@ void VelocityCarry::complete(const b2Body& body, RigidBody& rigid, double dt) {
   if (length(rigid.position - found->position) <= single_rounding(rigid.position)) rigid.position = found->position;
 }
 
-void VelocityCarry::leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports,
-                                      double dt) {
+void VelocityCarry::leave_to_support(const b2Body& body, RigidBody& rigid, Vec2 normal, double dt) {
   Entry* const found = entry(body);
   if (found == nullptr) return;
   const Vec2 before = found->next_expected_delta_v;
-  Vec2 left = before;
-  for (const Support& support : supports) left -= std::max(0.0, dot(left, support.normal)) * support.normal;
+  const Vec2 left = before - std::max(0.0, dot(before, normal)) * normal;
   found->next_expected_delta_v = left;
   rigid.acceleration += bounded((1.0 / dt) * left, max_acceleration) - bounded((1.0 / dt) * before, max_acceleration);
 }

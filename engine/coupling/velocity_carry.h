@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "ribbon/box2d/body_finder.h"
@@ -56,9 +55,9 @@ class VelocityCarry {
   /// Completes the solver's view of a body before a step: adds the carry to its velocities, the push that it expects to
   /// its acceleration, and to its position what single precision rounded off. It may be repeated until begin_step.
   void complete(const b2Body& body, RigidBody& rigid, double dt);
-  /// What supports push in the step is no part of the push that a body expects: takes it out of its acceleration. The
-  /// body was completed.
-  void leave_to_supports(const b2Body& body, RigidBody& rigid, std::span<const Support> supports, double dt);
+  /// What a support pushes in the step, along its normal, is no part of the push that a body expects: takes it out of
+  /// its acceleration. The body was completed.
+  void leave_to_support(const b2Body& body, RigidBody& rigid, Vec2 normal, double dt);
   /// Finds by how much a body is elsewhere than the last step expected it: Box2D has pushed it, or the game has set it
   /// there. What is less than 5 mm and 0.015 rad, or more than 0.2 m or 0.5 rad, does not count, and neither does a
   /// body that world.Step has not moved. A body that was pushed does not also expect a push in that direction: takes it

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 11;
+inline constexpr int solver_step_version = 12;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -250,12 +250,14 @@ void fields(Archive& archive, T& grip) {
 
 template <typename Archive, Is<ribbon::Support> T>
 void fields(Archive& archive, T& support) {
-  auto& [body, arm, normal, gap, speed] = support;
+  auto& [body, arm, normal, gap, speed, other, other_arm] = support;
   archive("body", body);
   archive("arm", arm);
   archive("normal", normal);
   archive("gap", gap);
   archive("speed", speed);
+  archive("other", other);
+  archive("other_arm", other_arm);
 }
 
 template <typename Archive, Is<SolverStep::Cord> T>

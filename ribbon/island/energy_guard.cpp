@@ -99,7 +99,7 @@ void EnergyGuard::find_frame(IslandState& state, const Contacts& contacts) {
     state.driven = state.driven || state.drive_velocities[state.angle(k)].x != 0.0;
   }
   for (const BodySupport& support : state.supports.all) {
-    add({});
+    if (!support.gives_way()) add({});
     state.driven = state.driven || support.speed != 0.0;
   }
   if (!found) {

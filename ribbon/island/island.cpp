@@ -107,6 +107,7 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
   guard_.begin_step(state_);
   stages_.begin_step();
   candidates_.find(state_, bounds_, contacts_);
+  add_supporting_bodies(state_);
   // First without the slots of bodies and grips, so that these are zero in all arrays, whatever was solved before.
   resize(state_.points, state_.tensions.size());
   resize(state_.points + 2 * state_.bodies.size() + state_.wheels.size(),

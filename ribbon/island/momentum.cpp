@@ -18,7 +18,7 @@ struct Spin {
 
 /// Returns whether nothing but the same gravity for all acts on the island from outside.
 bool is_free(const IslandState& state) {
-  if (!state.wheels.empty() || state.supports.any()) return false;
+  if (!state.wheels.empty() || state.supports.any_from_outside()) return false;
   const auto is_zero = [](char constrained) { return constrained == 0; };
   const Vec2 fall = state.free_accelerations[0];
   const auto falls = [&](Vec2 acceleration) { return acceleration == fall; };

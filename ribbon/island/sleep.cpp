@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "ribbon/linear/index.h"
 #include "ribbon/medium.h"
 
 namespace ribbon {
@@ -89,6 +90,9 @@ std::uint64_t hash_at_rest(const CordParts& cord, const Surroundings& surroundin
     hash.add(static_cast<std::uint64_t>(grip.point));
     hash.add(grip.along);
   }
+  for (const Support& support : surroundings.supports) {
+    if (support.other >= 0) at_rest = at_rest && is_at_rest(bodies[at(support.other)], asleep);
+  }
   return at_rest ? std::max(hash.value(), std::uint64_t{1}) : 0;
 }
 
@@ -128,6 +132,9 @@ bool try_sleep(std::span<const IslandCord> cords, std::span<RigidBody> bodies, V
     for (const RigidCircle& circle : cord.surroundings.circles) rest(circle.body);
     for (const RigidSegment& segment : cord.surroundings.segments) rest(segment.body);
     for (const Grip& grip : cord.surroundings.grips) rest(grip.body);
+    for (const Support& support : cord.surroundings.supports) {
+      if (support.other >= 0) rest(support.other);
+    }
   }
   return true;
 }

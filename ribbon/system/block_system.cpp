@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ribbon/linear/index.h"
+#include "ribbon/linear/reserve_more.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/supports.h"
 #include "ribbon/system/wheels.h"
@@ -68,6 +69,7 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
       if (slot != slots[4] && slot != slots[3]) matrix_.couple(slot, slots[4]);
     }
   }
+  couple_supports(state, matrix_);
   couple(terms, matrix_);
   const bool is_heap = !has_fill_order_ && state.members.size() >= many_cords;
   if (!is_heap) matrix_.end_pattern();
@@ -78,6 +80,7 @@ void BlockSystem::make_pattern_with(const IslandState& state, const Terms& terms
 
 template <typename Terms>
 void BlockSystem::find_natural_order(const IslandState& state, const Terms& terms) {
+  reserve_more(last_points_, state.bodies.size());
   last_points_.assign(state.bodies.size(), -1);
   const auto couple = [&](int center_slot, int point) {
     int& last = last_points_[(at(center_slot) - state.points) / 2];

@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "ribbon/linear/reserve_more.h"
+
 namespace ribbon {
+namespace {
+
+constexpr std::size_t usual_bodies = 8;  // of an island: it gets memory for so many at once
+
+}  // namespace
 
 bool IslandTies::is_tied(int slot) const {
   const auto found = std::lower_bound(slots.begin(), slots.end(), slot,
@@ -25,6 +32,7 @@ std::size_t IslandState::solved_body(int index) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].index == index) return k;
   }
+  if (bodies.capacity() == 0) bodies.reserve(usual_bodies);
   const RigidBody& body = rigid[at(index)];
   bodies.push_back({index, body.inverse_inertia > 0.0});
   return bodies.size() - 1;
@@ -49,7 +57,7 @@ void IslandState::resize(std::size_t slots, std::size_t tension_count) {
                     &start.positions, &start.velocities}) {
     all->resize(slots);
   }
-  pushes.reserve(slots);
+  reserve_more(pushes, slots);
   masses.resize(slots);
   constrained.resize(slots);
   tensions.resize(tension_count);

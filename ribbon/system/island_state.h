@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -80,16 +81,24 @@ struct BodySupport {
   /// Whether it pushed at the end of the last stage.
   enum class Push : unsigned char { unknown, no, yes };
 
+  static constexpr auto none = static_cast<std::size_t>(-1);
+
   std::size_t solved_index = 0;  ///< index of the body among those that are solved with the cords
+  std::size_t other = none;      ///< index there of the body that supports it; none for what does not give way
   Vec2 normal;                   ///< unit vector from the support to the body
   double lever = 0.0;            ///< m, arm × normal: displacement of the place along the normal by a turn of a rad
-  double start = 0.0;            ///< m, of the centre of mass along the normal, at the start of the step
+  double other_lever = 0.0;      ///< m, the same of `other`
+  double start = 0.0;            ///< m, of the centre of mass along the normal, at the start of the step; from that of
+                                 ///< `other`, if there is one
   double gap = 0.0;              ///< m, at the start of the step
   double speed = 0.0;            ///< m/s, of the support along the normal
+  double push_speed = 0.0;       ///< m/s, along the normal, with which it goes along with a body that was pushed
   bool hits = false;             ///< the body gets nearer to it at the start of the step, or is not at it yet
   bool loaded = false;           ///< the linear system has it
   Push push = Push::unknown;
   Push start_push = Push::unknown;  ///< `push` at the start of the substep
+
+  bool gives_way() const { return other != none; }
 };
 
 /// The supports of an island.
@@ -101,6 +110,10 @@ struct IslandSupports {
   bool stage_begins = false;     ///< the next linear system is the first one of a stage
 
   bool any() const { return !all.empty(); }
+  /// Returns whether something that does not give way is among them.
+  bool any_from_outside() const {
+    return std::any_of(all.begin(), all.end(), [](const BodySupport& support) { return !support.gives_way(); });
+  }
 };
 
 /// What a step does with tied points that are apart.

@@ -9,20 +9,28 @@ namespace ribbon {
 namespace {
 
 constexpr double stiffness_share = 2000.0;  // of the island's mass by the square of the step
-constexpr std::size_t usual_supports = 8;   // of an island: it gets memory for so many at once
+constexpr std::size_t usual_supports = 32;  // of an island: it gets memory for so many at once
 constexpr double resting_distance = 1e-9;   // m, up to which a support is at its body
 constexpr double resting_speed = 1e-2;      // m/s, of a place, below which it does not hit its support
 
 /// Returns how far a body is from its support at x, m; negative if it is pushed.
 double distance_of(const IslandState& state, const BodySupport& support, std::span<const Vec2> x) {
-  return support.gap + dot(support.normal, x[state.center(support.solved_index)]) - support.start +
-         support.lever * x[state.angle(support.solved_index)].x - support.speed * state.now;
+  double along = dot(support.normal, x[state.center(support.solved_index)]) +
+                 support.lever * x[state.angle(support.solved_index)].x;
+  if (support.gives_way()) {
+    along -=
+        dot(support.normal, x[state.center(support.other)]) + support.other_lever * x[state.angle(support.other)].x;
+  }
+  return support.gap + along - support.start - (support.speed + support.push_speed) * state.now;
 }
 
 SlotRow row_of(const IslandState& state, const BodySupport& support) {
   SlotRow row;
   row.add(static_cast<int>(state.center(support.solved_index)), support.normal);
   row.add(static_cast<int>(state.angle(support.solved_index)), {support.lever, 0.0});
+  if (!support.gives_way()) return row;
+  row.add(static_cast<int>(state.center(support.other)), -support.normal);
+  row.add(static_cast<int>(state.angle(support.other)), {-support.other_lever, 0.0});
   return row;
 }
 
@@ -31,31 +39,89 @@ double force_of(const IslandState& state, const BodySupport& support) {
   return std::max(0.0, -state.supports.stiffness * distance_of(state, support, state.positions));
 }
 
-/// Adds the supports of a member's bodies, but not of those that have some already.
+/// Returns the place of a body among those that are solved with the cords, or BodySupport::none.
+std::size_t find_solved(const IslandState& state, int body) {
+  for (std::size_t k = 0; k < state.bodies.size(); ++k) {
+    if (state.bodies[k].index == body) return k;
+  }
+  return BodySupport::none;
+}
+
+/// Returns whether a member before that one has the same support.
+bool has_earlier(const IslandState& state, const Member& of, const Support& support) {
+  for (const Member& member : state.members) {
+    if (&member == &of) return false;
+    const auto& supports = member.surroundings.supports;
+    if (std::find(supports.begin(), supports.end(), support) != supports.end()) return true;
+  }
+  return false;
+}
+
+double lever_of(const IslandState& state, std::size_t body, Vec2 arm, Vec2 normal) {
+  return state.bodies[body].turns ? cross(arm, normal) : 0.0;
+}
+
+void add_support(IslandState& state, const Support& support, std::size_t index) {
+  BodySupport added;
+  const RigidBody& body = state.rigid[at(support.body)];
+  added.solved_index = index;
+  added.normal = support.normal;
+  added.lever = lever_of(state, index, support.arm, support.normal);
+  added.start = dot(support.normal, body.start()) - added.lever * body.pushed_turn;
+  double push = dot(support.normal, body.pushed) + added.lever * body.pushed_turn;
+  if (support.other >= 0) {
+    const RigidBody& other = state.rigid[at(support.other)];
+    added.other = find_solved(state, support.other);
+    added.other_lever = lever_of(state, added.other, support.other_arm, support.normal);
+    added.start -= dot(support.normal, other.start()) - added.other_lever * other.pushed_turn;
+    push -= dot(support.normal, other.pushed) + added.other_lever * other.pushed_turn;
+  }
+  added.gap = support.gap;
+  added.speed = support.speed;
+  added.push_speed = push / state.dt;
+  if (state.supports.all.empty()) state.supports.all.reserve(usual_supports);
+  state.supports.all.push_back(added);
+}
+
+/// Adds the supports of a member that no earlier one has.
 void add_supports_of(IslandState& state, const Member& member) {
-  const std::size_t before = state.supports.all.size();
   for (const Support& support : member.surroundings.supports) {
-    const RigidBody& body = state.rigid[at(support.body)];
-    const auto solved = std::find_if(state.bodies.begin(), state.bodies.end(),
-                                     [&](const SolvedBody& of) { return of.index == support.body; });
-    if (solved == state.bodies.end() || body.inverse_mass == 0.0) continue;
-    const auto index = static_cast<std::size_t>(solved - state.bodies.begin());
-    const auto earlier = state.supports.all.begin() + static_cast<std::ptrdiff_t>(before);
-    if (std::any_of(state.supports.all.begin(), earlier, [&](const BodySupport& s) { return s.solved_index == index; }))
-      continue;
-    if (state.supports.all.empty()) state.supports.all.reserve(usual_supports);
-    BodySupport added;
-    added.solved_index = index;
-    added.normal = support.normal;
-    added.lever = solved->turns ? cross(support.arm, support.normal) : 0.0;
-    added.start = dot(support.normal, body.position);
-    added.gap = support.gap;
-    added.speed = support.speed;
-    state.supports.all.push_back(added);
+    const std::size_t index = find_solved(state, support.body);
+    if (index == BodySupport::none) continue;
+    if (support.other < 0 && state.rigid[at(support.body)].inverse_mass == 0.0) continue;
+    if (!has_earlier(state, member, support)) add_support(state, support, index);
   }
 }
 
+/// Returns the speed with which a body gets away from its support at the start of the step, m/s.
+double separation_speed(const IslandState& state, const BodySupport& support) {
+  return row_of(state, support).along(state.velocities) - support.speed - support.push_speed;
+}
+
 }  // namespace
+
+void add_supporting_bodies(IslandState& state) {
+  const auto add_once = [&] {
+    const std::size_t before = state.bodies.size();
+    for (const Member& member : state.members) {
+      for (const Support& support : member.surroundings.supports) {
+        if (support.other < 0) continue;
+        const bool has_body = find_solved(state, support.body) != BodySupport::none;
+        const bool has_other = find_solved(state, support.other) != BodySupport::none;
+        if (has_body != has_other) (void)state.solved_body(has_body ? support.other : support.body);
+      }
+    }
+    return state.bodies.size() > before;
+  };
+  while (add_once()) {
+  }
+}
+
+void couple_supports(const IslandState& state, BlockLdlt& matrix) {
+  for (const BodySupport& support : state.supports.all) {
+    if (support.gives_way()) row_of(state, support).couple(matrix);
+  }
+}
 
 void add_supports(IslandState& state) {
   for (const Member& member : state.members) add_supports_of(state, member);
@@ -65,9 +131,7 @@ void add_supports(IslandState& state) {
   for (std::size_t k = 0; k < state.bodies.size(); ++k) mass += state.masses[state.center(k)];
   state.supports.stiffness = stiffness_share * mass / (state.dt * state.dt);
   for (BodySupport& support : state.supports.all) {
-    const double approach = dot(support.normal, state.velocities[state.center(support.solved_index)]) +
-                            support.lever * state.velocities[state.angle(support.solved_index)].x - support.speed;
-    support.hits = support.gap > resting_distance || approach < -resting_speed;
+    support.hits = support.gap > resting_distance || separation_speed(state, support) < -resting_speed;
   }
 }
 
@@ -100,7 +164,9 @@ bool are_supports_settled(const IslandState& state, std::span<const double> iner
   return std::all_of(state.supports.all.begin(), state.supports.all.end(), [&](const BodySupport& support) {
     const double distance = distance_of(state, support, state.positions);
     if (support.loaded == (distance < 0.0)) return true;
-    return state.supports.stiffness * std::abs(distance) <= tolerance * inertia[state.center(support.solved_index)];
+    double least = inertia[state.center(support.solved_index)];
+    if (support.gives_way()) least = std::min(least, inertia[state.center(support.other)]);
+    return state.supports.stiffness * std::abs(distance) <= tolerance * least;
   });
 }
 
@@ -148,10 +214,14 @@ void store_support_forces(const IslandState& state) {
     body.support_torque = 0.0;
   }
   for (const BodySupport& support : state.supports.all) {
-    RigidBody& body = state.rigid[at(state.bodies[support.solved_index].index)];
     const double force = force_of(state, support);
-    body.support_force += force * support.normal;
-    body.support_torque += force * support.lever;
+    const auto push = [&](std::size_t solved, double along, double lever) {
+      RigidBody& body = state.rigid[at(state.bodies[solved].index)];
+      body.support_force += along * support.normal;
+      body.support_torque += along * lever;
+    };
+    push(support.solved_index, force, support.lever);
+    if (support.gives_way()) push(support.other, -force, support.other_lever);
   }
 }
 

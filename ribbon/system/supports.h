@@ -11,17 +11,23 @@
 //
 //     d = gap + n·(X − X₀) + lever·φ − speed·t
 //
-// away at the time t of the step. It is a very stiff spring that can only push: its energy is ½·k·d² for d < 0.
+// away at the time t of the step. Of a body that was pushed, gap is that after the push, and the support goes along
+// with the push: `speed` is its own velocity and that of the push together. It is a very stiff spring that can only
+// push: its energy is ½·k·d² for d < 0.
 
 namespace ribbon {
 
+/// Adds the bodies that support those which are solved with the cords, or are supported by them.
+void add_supporting_bodies(IslandState& state);
 /// Adds the supports of the bodies that the cords and wheels of the island have. Their motion is known.
 void add_supports(IslandState& state);
 
 /// Finds which supports the next linear system has: those that push at the current positions. Returns whether others do
 /// than in the last one.
 bool find_loaded(IslandState& state);
-/// Adds these to the coupled system.
+/// Adds what supports between bodies couple to the pattern of a matrix.
+void couple_supports(const IslandState& state, BlockLdlt& matrix);
+/// Adds the loaded ones to the coupled system.
 void load_supports(const IslandState& state, BlockLdlt& blocks, std::span<Vec2> right_side);
 /// Returns whether the linear system had the supports that push at the current positions, or others whose forces move
 /// no body by more than `tolerance` [m]. `inertia` is by slot, N/m.

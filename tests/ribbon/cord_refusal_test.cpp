@@ -185,6 +185,10 @@ TEST(Cord, RefusesInvalidStepsAndChangesNothing) {
   refuses_support({0, {}, {0.0, 0.5}}, "the length of normal");
   refuses_support({0, {}, {0.0, 1.0}, -1e-6}, "gap");
   refuses_support({0, {}, {0.0, 1.0}, 0.0, nan}, "speed");
+  refuses_support({0, {}, {0.0, 1.0}, 0.0, 0.0, 2}, "other");
+  refuses_support({0, {}, {0.0, 1.0}, 0.0, 0.0, -2}, "other");
+  refuses_support({0, {}, {0.0, 1.0}, 0.0, 0.0, 0}, "other");
+  refuses_support({0, {}, {0.0, 1.0}, 0.0, 0.0, 1, {nan, 0.0}}, "other_arm");
   bodies[1].pushed = {0.0, nan};
   refuses(0.01, {}, {bodies, {}, {}, {}}, "bodies[1].pushed");
   bodies[1].pushed = {};

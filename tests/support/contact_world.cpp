@@ -58,7 +58,9 @@ void ContactWorld::step() {
     body.angular_impulse = 0.0;
     body.solved = false;
   }
-  report = cord.step(dt, gravity, {bodies, circles, grips, segments});
+  ribbon::Surroundings surroundings{bodies, circles, grips, segments};
+  surroundings.supports = supports;
+  report = cord.step(dt, gravity, surroundings);
   total += report;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     RigidBody& body = bodies[k];

@@ -46,6 +46,7 @@ struct ContactWorld {
   std::vector<ribbon::RigidCircle> circles{};
   std::vector<ribbon::RigidSegment> segments{};
   std::vector<ribbon::Grip> grips{};
+  std::vector<ribbon::Support> supports{};
   ribbon::Vec2 gravity{0.0, -9.81};
   double dt = 1.0 / 60.0;
   ribbon::IslandReport report{};  ///< of the last step

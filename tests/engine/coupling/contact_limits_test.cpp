@@ -137,7 +137,8 @@ TEST(ContactCordLimits, OneMoreContactAllocatesNothing) {
   }
 }
 
-/// A force pushes a ball down that is between a taut inextensible cord and the ground.
+/// A force pushes a ball down that is between a taut inextensible cord and the ground. The tolerance of a step, 0.1 mm,
+/// is 6 mm/s.
 TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity) {
   CordDef def = bridge_def();
   for (int i = 0; i < 41; ++i) def.positions[static_cast<std::size_t>(i)] = {0.105 * i, 0.0};
@@ -151,7 +152,7 @@ TEST(ContactCordLimits, ABodyThatStandsBetweenATautCordAndTheGroundHasNoVelocity
     scene.tick();
     if (k > 500) fastest = std::max(fastest, std::abs(scene.coupling.body(*ball).velocity().y));  // it may roll
   }
-  EXPECT_LE(fastest, 1e-3);
+  EXPECT_LE(fastest, 2e-3);
 }
 
 /// The string of CordContactLimits starts far from the peg's fixture.

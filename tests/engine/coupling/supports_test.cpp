@@ -177,11 +177,11 @@ TEST(Supports, OfBodiesThatNearlyTouchHaveNormals) {
     circle.m_radius = 0.1F;
     ball->CreateFixture(&circle, 1.0F);
     std::vector<b2Fixture*> memory;
-    std::vector<ribbon::Support> supports;
-    ribbon::box2d::append_supports(*ball, {0, 0.05, memory}, supports);
-    for (const ribbon::Support& support : supports) {
-      EXPECT_NEAR(support.normal.x, 1.0, 1e-12) << k;
-      EXPECT_EQ(support.normal.y, 0.0) << k;
+    std::vector<ribbon::box2d::FoundSupport> supports;
+    ribbon::box2d::append_supports(*ball, {0.05, memory}, supports);
+    for (const ribbon::box2d::FoundSupport& found_one : supports) {
+      EXPECT_NEAR(found_one.support.normal.x, 1.0, 1e-12) << k;
+      EXPECT_EQ(found_one.support.normal.y, 0.0) << k;
       ++found;
     }
   }

@@ -31,7 +31,7 @@ SolverStep some_step() {
   cord.circles.push_back({0, {0.1, -0.2}, 0.3, 0.4, 0.5, 6});
   cord.segments.push_back({0, {0.1, -0.2}, {0.3, 0.4}, 0.0, 0.4, 0.5, 7, -1.5});
   cord.grips.push_back({4, 1, {0.0, 0.1}});
-  cord.supports.push_back({1, {0.1, -0.2}, {0.0, 1.0}, 0.003, -0.5});
+  cord.supports.push_back({1, {0.1, -0.2}, {0.0, 1.0}, 0.003, -0.5, 0, {0.3, 0.4}});
   cord.id = (std::uint64_t{1} << 63U) + 1;
   step.cords.push_back(cord);
   step.outcome = {"a \"reason\"\n", std::int64_t{1} << 60, 2, 0xffff'ffff'ffff'ffffU};
@@ -59,7 +59,7 @@ TEST(SolverStep, IsReadBackToTheBit) {
   EXPECT_TRUE(read.cords[0].def == step.cords[0].def);
   EXPECT_TRUE(std::signbit(read.cords[0].state.velocities[1].x));
   EXPECT_EQ(read.cords[0].grips[0].strength, infinity);
-  EXPECT_EQ(read.cords[0].supports[0].gap, 0.003);
+  EXPECT_TRUE(read.cords[0].supports[0] == step.cords[0].supports[0]);
   EXPECT_EQ(read.cords[0].id, step.cords[0].id);
   EXPECT_EQ(read.outcome.why, step.outcome.why);
   EXPECT_EQ(read.outcome.work, step.outcome.work);
@@ -71,8 +71,8 @@ TEST(SolverStep, RefusesInvalidTextWithAMessage) {
   EXPECT_EQ(refusal("{\"solver_step\": 2,").find("bad.json: not valid JSON: "), 0U);
   EXPECT_EQ(refusal("[]"), "bad.json: the file is an array; accepted is an object");
   EXPECT_EQ(refusal("{}"), "bad.json: solver_step is missing; accepted is a file with all fields");
-  EXPECT_EQ(refusal(text_with("\"solver_step\": 11", "\"solver_step\": 12")),
-            "bad.json: solver_step is version 12; accepted is 11");
+  EXPECT_EQ(refusal(text_with("\"solver_step\": 12", "\"solver_step\": 13")),
+            "bad.json: solver_step is version 13; accepted is 12");
   EXPECT_EQ(refusal(std::string(100, '[')), "bad.json: nested more than the 8 levels deep accepted");
 }
 

@@ -122,6 +122,35 @@ TEST(PushedBody, IsNotThrownBack) {
   EXPECT_LT(world.body(world.ball).velocity.y, 0.05);
 }
 
+/// A ball was pushed up and turned by what it rolls on. A place of contact that does not go along with it is deep in
+/// the ball at the start of the step, and throws it up.
+TEST(PushedBody, GoesAlongWithItsSupport) {
+  ContactWorld world(straight());
+  world.gravity = {};
+  const int ball = world.add_ball({1.03, -0.095}, 0.08, 10.0, 0.3);
+  world.body(ball).pushed = {0.0, 0.08};
+  world.body(ball).pushed_turn = 0.2;
+  for (const double x : {-0.06, 0.06}) world.supports.push_back({ball, {x, -0.05}, {0.0, 1.0}});
+  world.step();
+  EXPECT_LT(length(world.body(ball).velocity), 0.05);
+  EXPECT_LT(length(world.body(ball).moved), 1e-3);
+  EXPECT_LT(world.fastest(), 0.5);
+}
+
+/// A cord with a load of 1,000 kg falls on the ball, which rests on the ground since it was pushed up.
+TEST(PushedBody, IsNotPressedThroughItsSupport) {
+  ContactWorld world(straight());
+  world.cord.attach_mass(10, 1000.0);
+  Cord::State state = world.cord.save();
+  state.velocities.assign(state.velocities.size(), {0.0, -3.0});
+  world.cord.restore(state);
+  const int ball = world.add_ball({1.0, -0.1}, 0.08, 10.0, 0.3);
+  world.body(ball).pushed = {0.0, 0.08};
+  world.supports.push_back({ball, {0.0, -0.08}, {0.0, 1.0}});
+  world.step();
+  EXPECT_GT(world.body(ball).moved.y, -5e-3);
+}
+
 /// The same of a body that was turned: the arm stands still, and so does the cord.
 TEST(PushedBody, ThatWasTurnedStandsStill) {
   ContactWorld world(straight());

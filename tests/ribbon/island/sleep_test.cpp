@@ -225,6 +225,39 @@ TEST(CordSleep, IncludesADynamicBodyOnlyIfItMaySleep) {
   }
 }
 
+/// A body that another dynamic one supports sleeps with it and not before.
+TEST(CordSleep, IncludesWhatSupportsItsBody) {
+  Cord cord(rope_def());
+  for (int k = 0; k < 3000; ++k) cord.step(dt, gravity);
+  cord.wake();
+  std::array<RigidBody, 2> bodies;
+  for (RigidBody& body : bodies) {
+    body.inverse_mass = 1e-9;
+    body.may_sleep = true;
+  }
+  const std::array circles{RigidCircle{0, {}, 0.1, 0.5, 0.0, 1}};
+  const std::array supports{Support{0, {0.0, -0.1}, {0.0, 1.0}, 0.0, 0.0, 1, {0.0, 0.1}}};
+  Surroundings surroundings{bodies, circles};
+  surroundings.supports = supports;
+  const auto sleeps = [&](double speed) {
+    for (int k = 0; k < 2 * drowsy && !bodies[0].rests; ++k) {
+      bodies[0].position = {0.5, -1.0};
+      bodies[1].position = {0.5, -1.2};
+      for (RigidBody& body : bodies) body.impulse = {};
+      bodies[1].velocity = {speed, 0.0};
+      cord.step(dt, gravity, surroundings);
+    }
+    return cord.is_asleep();
+  };
+  EXPECT_FALSE(sleeps(0.5));
+  EXPECT_TRUE(sleeps(0.0));
+  EXPECT_TRUE(bodies[1].rests);
+  for (RigidBody& body : bodies) body.awake = false;
+  EXPECT_EQ(cord.step(dt, gravity, surroundings).stages, 0);
+  bodies[1].awake = true;
+  EXPECT_GT(cord.step(dt, gravity, surroundings).stages, 0);
+}
+
 TEST(CordSleep, HappensOnAStationaryHolder) {
   Cord cord(rope_def());
   Near near;

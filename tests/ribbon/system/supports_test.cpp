@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "ribbon/cord.h"
+#include "ribbon/direct_solver.h"
 #include "ribbon/rigid_circle.h"
 #include "tests/support/constants.h"
 
-// What keeps a body that holds a cord from moving, without Box2D.
+// What keeps bodies of a step from moving, without Box2D.
 
 namespace ribbon {
 namespace {
@@ -147,6 +150,74 @@ TEST(Supports, ActWhereTheyAre) {
   for (int k = 0; k < 30; ++k) standing.step();
   EXPECT_NEAR(standing.body.angular_velocity, 0.0, 1e-3);
   EXPECT_NEAR(standing.body.position.y, 0.0, 1e-4);
+}
+
+/// A body of 1 kg holds a load of 100 kg and lies on another one of 1,000 kg, which nothing else holds. The heavier one
+/// is drawn along, and what the lighter one turns by goes to it.
+TEST(Supports, ThatGiveWayAreMovedByWhatTheyCarry) {
+  CordDef def;
+  def.points = 11;
+  def.length = 1.0;
+  def.mass_per_length = 1.0;
+  for (int k = 0; k < def.points; ++k) def.positions.push_back({0.0, -0.1 * k});
+  Cord cord(def);
+  cord.attach_mass(10, 100.0);
+  const std::array grips{Grip{0, 0, {}}};
+  const std::array supports{Support{0, {0.2, -0.1}, {0.0, 1.0}, 0.0, 0.0, 1, {-0.3, 0.1}},
+                            Support{0, {-0.2, -0.1}, {0.0, 1.0}, 0.0, 0.0, 1, {-0.7, 0.1}}};
+  std::array<RigidBody, 2> bodies;
+  bodies[0].inverse_mass = 1.0;
+  bodies[0].inverse_inertia = 10.0;
+  bodies[0].acceleration = gravity;
+  bodies[1].position = {0.5, -0.2};
+  bodies[1].inverse_mass = 1e-3;
+  bodies[1].inverse_inertia = 1e-3;
+  Surroundings surroundings{bodies, {}, grips};
+  surroundings.supports = supports;
+  EXPECT_EQ(cord.step(dt, gravity, surroundings).unconverged, 0);
+  const double fall = 102.0 * 9.81 * dt;  // kg·m/s
+  double momentum = bodies[0].impulse.y - 9.81 * dt + bodies[1].impulse.y;
+  for (int k = 0; k < def.points; ++k)
+    momentum += (k == 0 || k == 10 ? 0.05 : 0.1) * cord.velocities()[static_cast<std::size_t>(k)].y;
+  momentum += 100.0 * cord.velocities()[10].y;
+  EXPECT_NEAR(momentum, -fall, 1e-9 * fall);
+  EXPECT_NEAR(bodies[1].moved.y - 0.5 * bodies[1].turned, bodies[0].moved.y, 1e-6);
+  EXPECT_GT(bodies[1].turned, 1e-5);
+  EXPECT_NEAR(bodies[0].turned, bodies[1].turned, 1e-6);
+  EXPECT_NEAR(bodies[0].support_force.y, -bodies[1].support_force.y, 1e-6);
+  EXPECT_GT(bodies[0].support_force.y, 500.0);
+}
+
+/// Each of two cords holds one of two bodies, one of which lies on the other: what a body takes, the other one gives.
+TEST(Supports, ThatGiveWayJoinCords) {
+  CordDef def;
+  def.points = 11;
+  def.length = 1.0;
+  std::vector<Cord> cords;
+  for (const double y : {0.0, -0.2}) {
+    def.positions.clear();
+    for (int k = 0; k < def.points; ++k) def.positions.push_back({0.1 * k, y});
+    cords.emplace_back(def);
+  }
+  std::array<RigidBody, 2> bodies;
+  for (RigidBody& body : bodies) body.inverse_mass = 1.0;
+  bodies[0].velocity = {0.0, -1.0};
+  bodies[1].position = {0.0, -0.2};
+  const std::array grips_of_upper{Grip{0, 0, {}}};
+  const std::array grips_of_lower{Grip{0, 1, {}}};
+  const std::array supports{Support{0, {0.0, -0.1}, {0.0, 1.0}, 0.0, 0.0, 1, {0.0, 0.1}}};
+  std::array<Surroundings, 2> surroundings{Surroundings{bodies, {}, grips_of_upper}, {bodies, {}, grips_of_lower}};
+  surroundings[0].supports = surroundings[1].supports = supports;
+  const std::array all{IslandCord{&cords[0], surroundings[0], 1}, IslandCord{&cords[1], surroundings[1], 2}};
+  DirectSolver solver;
+  std::array<CordReport, 2> reports;
+  solver.step(all, bodies, dt, {}, reports);
+  EXPECT_EQ(solver.islands(), 1);
+  const double upper = bodies[0].velocity.y + bodies[0].impulse.y;
+  const double lower = bodies[1].velocity.y + bodies[1].impulse.y;
+  EXPECT_GE(upper, lower);
+  EXPECT_LT(lower, -0.3);
+  EXPECT_GT(bodies[0].moved.y - bodies[1].moved.y, -1e-5);
 }
 
 }  // namespace
