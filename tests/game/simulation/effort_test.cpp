@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Effort, EffortOfEveryLevel, testing::ValuesIn(level_nam
                          [](const auto& level) { return level.param; });
 
 TEST_P(EffortOfEveryLevel, IsEvenDuringItsWinningRun) {
-  constexpr int most_steps = 140;
+  constexpr int most_steps = 160;
   const engine::Replay replay = engine::load_replay(assets_folder() + "/replays/" + GetParam() + ".replay");
   const Level level = load_level(GetParam());
   Simulation simulation(level);
