@@ -98,7 +98,7 @@ struct Support {
   int body = 0;        ///< index into the bodies of the step: the one that is supported
   Vec2 arm;            ///< m, from its centre of mass to the place, in world directions
   Vec2 normal;         ///< unit vector from the support to the body
-  double gap = 0.0;    ///< m, 0 or more, by which the place may get nearer to the support; after a push of the body
+  double gap = 0.0;    ///< m, 0 or more, from where a push has left the place to the support
   double speed = 0.0;  ///< m/s, of the support along the normal; that of `other` does not count
   int other = -1;      ///< index of the body that supports it and gives way itself; −1 for what does not give way
   Vec2 other_arm{};    ///< m, from the centre of mass of `other` to the place, in world directions

@@ -10,7 +10,6 @@
 #include "ribbon/box2d/coupling_parts.h"
 #include "ribbon/box2d/gather_supports.h"
 #include "ribbon/box2d/step_cords.h"
-#include "ribbon/box2d/supports.h"
 #include "ribbon/cord_sweep.h"
 
 namespace ribbon::box2d {

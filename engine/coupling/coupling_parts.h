@@ -42,7 +42,7 @@ struct RestoreMemory {
 /// A body of which supports are gathered.
 struct SupportedBody {
   int index = 0;  // of the body in the tick
-  int depth = 0;  // how many bodies are between it and the one that is near the cord, and that one
+  int depth = 0;  // 0 near the cord, and one more for each body that presses on the one before
 };
 
 /// Where the path of a blade cuts a cord.

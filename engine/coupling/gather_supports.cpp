@@ -9,17 +9,17 @@
 namespace ribbon::box2d {
 namespace {
 
-constexpr int max_depth = 2;  // of bodies that press on one another, beside the one that is near the cord
+constexpr int max_depth = 2;  // of bodies that press on one another
 
 /// Gathers the supports of one cord.
 class SupportGatherer {
  public:
   SupportGatherer(CouplingParts& parts, CoupledCord& cord) : parts_(parts), cord_(cord) {
     parts_.supported.clear();
-    for (const Grip& grip : cord.grips) visit(grip.body, 0);
-    for (const Axle& axle : cord.axles) visit(axle.body, 0);
-    for (const RigidCircle& circle : cord.circles) visit(circle.body, 0);
-    for (const RigidSegment& segment : cord.segments) visit(segment.body, 0);
+    for (const Grip& grip : cord.grips) visit(grip.body);
+    for (const Axle& axle : cord.axles) visit(axle.body);
+    for (const RigidCircle& circle : cord.circles) visit(circle.body);
+    for (const RigidSegment& segment : cord.segments) visit(segment.body);
   }
 
   void gather() {
@@ -36,11 +36,11 @@ class SupportGatherer {
     return std::any_of(known.begin(), known.end(), [body](const SupportedBody& of) { return of.index == body; });
   }
 
-  void visit(int body, int depth) {
+  void visit(int body) {
     const auto& known = parts_.supported;
     if (!known.empty() && known.back().index == body) return;  // another shape of the same body
     if (parts_.bodies.rigid[static_cast<std::size_t>(body)].inverse_mass == 0.0 || is_known(body)) return;
-    parts_.supported.push_back({body, depth});
+    parts_.supported.push_back({body, 0});
   }
 
   /// A support between two bodies is added with the one that has the lower index.

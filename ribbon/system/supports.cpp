@@ -57,6 +57,8 @@ bool has_earlier(const IslandState& state, const Member& of, const Support& supp
   return false;
 }
 
+bool moves(const IslandState& state, int body) { return body >= 0 && state.rigid[at(body)].inverse_mass > 0.0; }
+
 double lever_of(const IslandState& state, std::size_t body, Vec2 arm, Vec2 normal) {
   return state.bodies[body].turns ? cross(arm, normal) : 0.0;
 }
@@ -88,7 +90,7 @@ void add_supports_of(IslandState& state, const Member& member) {
   for (const Support& support : member.surroundings.supports) {
     const std::size_t index = find_solved(state, support.body);
     if (index == BodySupport::none) continue;
-    if (support.other < 0 && state.rigid[at(support.body)].inverse_mass == 0.0) continue;
+    if (!moves(state, support.body) && !moves(state, support.other)) continue;
     if (!has_earlier(state, member, support)) add_support(state, support, index);
   }
 }

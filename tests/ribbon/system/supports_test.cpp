@@ -188,6 +188,28 @@ TEST(Supports, ThatGiveWayAreMovedByWhatTheyCarry) {
   EXPECT_GT(bodies[0].support_force.y, 500.0);
 }
 
+/// A kinematic body that rises lifts the one on it. Two of them that are driven into each other support none.
+TEST(Supports, OfBodiesThatAreDrivenRiseWithThem) {
+  for (const bool holder_is_driven : {false, true}) {
+    CordDef def;
+    def.points = 11;
+    def.length = 1.0;
+    for (int k = 0; k < def.points; ++k) def.positions.push_back({0.0, -0.1 * k});
+    Cord cord(def);
+    const std::array grips{Grip{0, 0, {}}};
+    const std::array supports{Support{0, {0.0, -0.1}, {0.0, 1.0}, 0.0, 0.0, 1, {0.0, 0.1}}};
+    std::array<RigidBody, 2> bodies;
+    if (!holder_is_driven) bodies[0].inverse_mass = 1.0;
+    bodies[0].acceleration = gravity;
+    bodies[1].position = {0.0, -0.2};
+    bodies[1].velocity = {0.0, 1.0};
+    Surroundings surroundings{bodies, {}, grips};
+    surroundings.supports = supports;
+    EXPECT_EQ(cord.step(dt, gravity, surroundings).unconverged, 0);
+    EXPECT_NEAR(cord.positions()[0].y, holder_is_driven ? 0.0 : dt, 1e-3);
+  }
+}
+
 /// Each of two cords holds one of two bodies, one of which lies on the other: what a body takes, the other one gives.
 TEST(Supports, ThatGiveWayJoinCords) {
   CordDef def;
