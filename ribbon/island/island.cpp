@@ -77,7 +77,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   for (;;) {
     begin_attempt(cords, tied, apart);
     state_.keeps_unsolved = keeps_unsolved;
-    state_.driven = state_.driven || (state_.unlocking && !linearised && !truncates(linearised));
+    state_.turning_cells = state_.unlocking && !linearised && !truncates(linearised);
     const bool solved = take_substeps(linearised);
     if (state_.ties.apart && (!solved || is_stretched_by_step(state_))) {
       apart = state_.ties.closing ? ApartTies::kept : ApartTies::released;
@@ -124,7 +124,7 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
 
 /// Returns whether the attempt is a truncated solve. Where everything lies on everything, the error of a few linear
 /// systems is lost in that of the heap. If no cord asks for more than scenery needs, nothing else is tried first.
-/// Energy is not guarded while Newton's method turns cells back, so a smaller heap is truncated then too.
+/// While Newton's method turns cells back, no gain of energy makes it fail, so a smaller heap is truncated then too.
 bool Island::truncates(bool linearised) const {
   const std::size_t pairs = contacts_.scene.pairs.size();
   const bool is_heap = state_.members.size() >= heap_cords && (pairs >= heap_pairs || (state_.unlocking && pairs > 0));

@@ -50,8 +50,9 @@ struct StepContext {
   }
   /// Returns the total energy at the start of a substep. While something drives the island there is nothing to compare.
   CordEnergy energy_before() const { return state.driven ? CordEnergy{} : EnergyGuard::total_energy(state, contacts); }
+  /// Returns whether a part of a step has gained energy and is therefore no solution.
   bool gained_energy(const CordEnergy& before, double tolerated) const {
-    return guard.gained_energy(state, contacts, before, tolerated);
+    return !state.turning_cells && guard.gained_energy(state, contacts, before, tolerated);
   }
 };
 

@@ -9,7 +9,9 @@ namespace ribbon {
 namespace {
 
 constexpr int max_tighter_retries = 3;  // of a substep of implicit Euler that gained energy
-constexpr double gross_gain = 1e-2;     // of the scene's energy, tolerated of implicit Euler: no integrator damps more
+constexpr double retried_gain = 2e-3;   // of the scene's energy, above which it is retried
+constexpr double gross_gain = 1e-2;     // the same, tolerated of a retry: no integrator damps more
+constexpr double retry_share = 0.3;     // of the work of an attempt, after which it has not enough left for retries
 // Newton steps in the halves of a substep. (5,000 slack links on a load of 10⁶ kg that turn about so much in steps of a
 // second take 4,200. With 600 near contacts, a ball shot at a loose cord lost its velocity instead of pushing the cord
 // away: `*ShotAtTenAndAHundredRadiiATick*`.)
@@ -18,6 +20,17 @@ constexpr int max_unsolved_work = 4000;  // the same once a part is kept that is
 // Times that a substep is halved, and its beginning: what was thrown apart finds back at once.
 constexpr int max_halvings = 10;
 constexpr int max_first_halvings = 20;
+
+/// What the tolerance leaves in a stiff cord, times its tension, is energy too. It mostly goes with a hundredth of it.
+double smaller_tolerance(const IslandState& state) { return std::max(1e-2 * state.tolerance, state.min_tolerance); }
+
+/// Returns to the start of a substep that gained energy, for a retry with another tolerance.
+void begin_retry(const StepContext& context, double tolerance) {
+  ++context.work.report.energy_gains;
+  context.return_to_start();
+  context.contacts.impacts.scale_impulses(0.0);
+  context.state.tolerance = tolerance;
+}
 
 /// Returns whether something would begin to touch in free motion.
 bool will_touch(const StepContext& context, double time, double dt) {
@@ -47,7 +60,11 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   const CordEnergy before = context.energy_before();
   if (!take_second_order(context, time, dt, before)) {
     if (take_damped(context, time, dt, before)) {
-      context.guard.remove_spurious_motion(context.state, context.contacts, before);
+      if (context.state.turning_cells) {
+        context.guard.remove_spurious_energy(context.state, context.contacts, before);
+      } else {
+        context.guard.remove_spurious_motion(context.state, context.contacts, before);
+      }
     } else {
       if (!context.state.keeps_unsolved) return false;
       context.stages.store_corrections(context.state);
@@ -114,35 +131,44 @@ bool Substeps::accept(const StepContext& context, bool converged, const CordEner
 /// Takes the substep with implicit Euler. Where nothing may touch or slip, or with a large budget of work, it is halved
 /// if it does not converge. Returns false if it is not solved.
 bool Substeps::take_damped(const StepContext& context, double time, double dt, const CordEnergy& before) {
-  const auto& held = context.state.held;
-  const bool may_slip = std::any_of(held.begin(), held.end(), [](const HeldBody& body) { return body.may_slip(); });
-  if ((context.contacts.empty() && !may_slip) || context.work.has_large_budget()) {
-    return take_halved(context, time, dt, before);
-  }
-  return !context.work.attempt_is_over() && Integrators::implicit_euler(context, time, dt) &&
-         !is_thrown(context.state) && !context.gained_energy(before, gross_gain);
+  IslandState& state = context.state;
+  const bool may_slip =
+      std::any_of(state.held.begin(), state.held.end(), [](const HeldBody& b) { return b.may_slip(); });
+  const double tolerance = state.tolerance;
+  const bool solved = (context.contacts.empty() && !may_slip) || context.work.has_large_budget()
+                          ? take_halved(context, time, dt, before)
+                          : take_whole(context, time, dt, before);
+  state.tolerance = tolerance;
+  return solved;
 }
 
-/// In a stiff cord the error that the tolerance leaves, times a tension, can be energy too. Then all of the substep is
-/// redone to a hundredth of the tolerance, in the end by halves.
-bool Substeps::take_halved(const StepContext& context, double time, double dt, const CordEnergy& before) {
-  IslandState& state = context.state;
-  StepWork& work = context.work;
-  const double tolerance = state.tolerance;
-  bool converged = false;
-  for (int k = 0;; ++k) {
-    converged =
-        (k != max_tighter_retries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
-    if ((!converged && !state.keeps_unsolved) || !context.gained_energy(before, gross_gain)) break;
-    converged = false;
-    if (k == max_tighter_retries || work.halving_is_over(state.unlocking)) break;
-    ++work.report.energy_gains;
-    context.return_to_start();
-    context.contacts.impacts.scale_impulses(0.0);
-    state.tolerance = std::max(1e-2 * state.tolerance, state.min_tolerance);
+/// If a smaller tolerance does not help, or if there is not enough work left for it, what the usual one leaves is kept.
+bool Substeps::take_whole(const StepContext& context, double time, double dt, const CordEnergy& before) {
+  const double usual = context.state.tolerance;
+  const auto is_solved = [&] {
+    return !context.work.attempt_is_over() && Integrators::implicit_euler(context, time, dt) &&
+           !is_thrown(context.state);
+  };
+  if (!is_solved()) return false;
+  if (!context.gained_energy(before, retried_gain)) return true;
+  if (context.work.attempt_is_over(retry_share)) return !context.gained_energy(before, gross_gain);
+  for (const double tolerance : {smaller_tolerance(context.state), usual}) {
+    begin_retry(context, tolerance);
+    if (is_solved() && !context.gained_energy(before, gross_gain)) return true;
   }
-  state.tolerance = tolerance;
-  return converged;
+  return false;
+}
+
+/// In the end all of the substep is redone by halves.
+bool Substeps::take_halved(const StepContext& context, double time, double dt, const CordEnergy& before) {
+  for (int k = 0;; ++k) {
+    const bool solved =
+        (k != max_tighter_retries && Integrators::implicit_euler(context, time, dt)) || halve(context, time, dt);
+    const double tolerated = k == 0 ? retried_gain : gross_gain;
+    if ((!solved && !context.state.keeps_unsolved) || !context.gained_energy(before, tolerated)) return solved;
+    if (k == max_tighter_retries || context.work.halving_is_over(context.state.unlocking)) return false;
+    begin_retry(context, smaller_tolerance(context.state));
+  }
 }
 
 /// Redoes the substep by halves. Returns false if part of it is not solved.

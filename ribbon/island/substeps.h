@@ -26,6 +26,7 @@ class Substeps {
 
   bool take_second_order(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool take_damped(const StepContext& context, double time, double dt, const CordEnergy& before);
+  bool take_whole(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool take_halved(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool halve(const StepContext& context, double time, double dt);
   bool take_halves(const StepContext& context, double time, double dt, int depth, Halving& halving);

@@ -16,6 +16,11 @@ constexpr int judging_iterations = 7;      // in which a stage has to find out w
 constexpr double misjudged_share = 1e-6;   // of the tolerance, by which a bar that is nearly slack may be misjudged
 constexpr double unexpected_share = 1e-2;  // of the tolerance, by which a support that is not loaded may move a body
 constexpr int searched_iterations = 24;    // Newton steps of a stage with a line search
+constexpr double free_strain = 1e-3;       // of inextensible links, the most that a solution without contacts leaves
+constexpr int strict_iterations = 8;       // full Newton steps of a stage that are judged by that
+
+/// Returns the strain that a solution may leave: more where drives, or ties of what is apart, may stretch the links.
+double most_strain(const IslandState& state) { return state.driven || state.ties.apart ? max_strain : free_strain; }
 
 }  // namespace
 
@@ -191,7 +196,8 @@ bool FreeStage::full_steps(const StageContext& context, const Stage& stage) {
     if (!(moved <= NewtonSolver::max_displacement)) return false;
     newton.move(state, state.positions, 1.0);
     newton.take_tensions(state);
-    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
+    const double strain = iteration < strict_iterations ? most_strain(state) : max_strain;
+    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state, strain) &&
         newton.is_settled(state, stage, iteration)) {
       return true;
     }
@@ -222,7 +228,7 @@ bool FreeStage::searched_steps(const StageContext& context, const Stage& stage) 
     }
     state.positions.swap(newton.trial());
     newton.take_tensions(state);
-    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state) &&
+    if (moved <= state.tolerance && !newton.slip_began() && !became_stretched(state, most_strain(state)) &&
         newton.is_settled(state, stage, iteration)) {
       return true;
     }

@@ -52,10 +52,10 @@ bool StepWork::has_large_budget() const { return max_work_factor_ >= large_budge
 
 bool StepWork::was_hard() const { return report.iterations > scale_ * easy_systems; }
 
-bool StepWork::attempt_is_over() const {
+bool StepWork::attempt_is_over(double share) const {
   if (has_large_budget()) return false;
-  return report.iterations - attempt_iterations_ >= scale_ * max_attempt_systems ||
-         static_cast<double>(report.work - attempt_work_) >= attempt_share * max_work_ ||
+  return report.iterations - attempt_iterations_ >= share * scale_ * max_attempt_systems ||
+         static_cast<double>(report.work - attempt_work_) >= share * attempt_share * max_work_ ||
          has_spent(total_attempts_share);
 }
 

@@ -28,8 +28,9 @@ class StepWork {
   bool has_large_budget() const;
   /// Returns whether the step has taken many linear systems: more than 30, or more with more than four substeps.
   bool was_hard() const;
-  /// Returns whether the attempt, or all attempts together, have used their work, so that contacts are linearised once.
-  bool attempt_is_over() const;
+  /// Returns whether the attempt has used this share of its work, or all attempts together all of theirs, so that
+  /// contacts are linearised once.
+  bool attempt_is_over(double share = 1.0) const;
   /// Returns whether substeps are halved no more: half of the work is spent or, unless cells are being turned back,
   /// 180 linear systems, or more with more than four substeps.
   bool halving_is_over(bool unlocking) const;

@@ -12,17 +12,17 @@ using ribbon::box2d::Coupling;
 
 constexpr std::array<BitScene, 14> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
-    {"terms", build_terms, nullptr, 180, 0xa84ca44769a0bde1},
-    {"ribbons", build_ribbons, nullptr, 180, 0xa39e4165796867ab},
+    {"terms", build_terms, nullptr, 180, 0x1f093ee30310663a},
+    {"ribbons", build_ribbons, nullptr, 180, 0x52e54ab7661cc2f6},
     {"contacts", build_contacts, nullptr, 150, 0xc974704c4c2339bf},
     {"grips", build_grips, drive_grips, 180, 0x93df58580d9e85ed},
     {"self_contact", build_self_contact, nullptr, 80, 0xc9b3a506802e91e5},
     {"thesis", build_thesis, drive_thesis, 180, 0x73170f821532aa5a},
-    {"rough", build_rough, drive_rough, 120, 0x0a32e74b971a40c9},
+    {"rough", build_rough, drive_rough, 120, 0xc6f6cffeae8e209d},
     {"asleep", build_asleep, drive_asleep, 220, 0x92f1a7f546f39269},
     {"ties", build_ties, drive_ties, 120, 0xfb79683c45caa0ed},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
-    {"listener", build_listener, nullptr, 180, 0x58889eb429bdbe79},
+    {"listener", build_listener, nullptr, 180, 0x2553b4b42438f346},
     {"pulleys", build_pulleys, drive_pulleys, 120, 0xd1dbf78c03730422},
     {"wind", build_wind, drive_wind, 150, 0xf09d88afaacb4248},
 }};

@@ -217,7 +217,6 @@ TEST(CordContactLimits, ACapstansStepsConverge) {
   }
 }
 
-/// No penetration increases, and a ball that separates is free.
 /// The tolerance for scenery is a fifth of these links: within it a link that turns fast could stretch by a twentieth.
 TEST(CordContactLimits, ShortLinksDoNotStretchWithinALargeTolerance) {
   for (const double speed : {0.0, 5.0, 10.0, 20.0}) {
@@ -242,6 +241,7 @@ TEST(CordContactLimits, ShortLinksDoNotStretchWithinALargeTolerance) {
   }
 }
 
+/// No penetration increases, and a ball that separates is free.
 TEST(CordContactLimits, ABallThatStartsWithItsCentreOnACordIsDepenetrated) {
   for (const double along : {0.5, 0.525, 0.51}) {
     for (const double radius : {5e-6, 5e-4, 0.05}) {
