@@ -176,11 +176,11 @@ struct IslandState {
   bool driven = false;     ///< drives at several velocities, or reels, change the energy
   bool in_medium = false;  ///< a medium acts on a cord and changes the energy
   bool reeling = false;    ///< rest lengths change in the step
-  bool overstretched = false;   ///< links of a cord regain their lengths, and no speed by it
-  bool unlocking = false;       ///< inverted cells are turned back in this step
-  bool turning_cells = false;   ///< … by Newton's method: what that gains is no failure, but is taken out of the motion
-  bool restart = false;         ///< the accelerations are out of date
-  bool jolted = false;          ///< a cord that runs through a groove changes its speed at once
+  bool overstretched = false;  ///< links of a cord regain their lengths, and no speed by it
+  bool unlocking = false;      ///< inverted cells are turned back in this step
+  bool turning_cells = false;  ///< … by Newton's method: what that gains is no failure, but is taken out of the motion
+  bool restart = false;        ///< the accelerations are out of date
+  bool jolted = false;         ///< a cord that runs through a groove changes its speed at once
   bool keeps_unsolved = false;  ///< a part of a substep that is not solved is kept as it is
   bool touch_changed = false;   ///< a contact began or ended in the last substep
   bool taken_back = false;      ///< motion was taken back for more than stretched links: energy was gained
