@@ -22,7 +22,8 @@ constexpr double far_share = 0.1;
 constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
 constexpr double torn_ratio = 1e7;  // of a tension to the link's inertia times its length: more than anything possible
-constexpr int length_restorations = 4;  // of cords that were stopped
+constexpr int length_restorations = 5;  // of cords that were stopped; more give cords of heaps energy:
+constexpr int truncated_restorations = 4;
 
 /// N, the largest inertia force of the direction.
 double inertia_force(const StageContext& context, const Stage& stage) {
@@ -108,7 +109,8 @@ LinearisedResult LinearisedStage::solve(const StageContext& context, const Motio
   if (!context.contacts.empty()) {
     result.cut = !groups_.keep_apart(context, bounds, request.from);
     if (result.cut && (kind == ContactSolve::truncated || state.wheels.empty())) {
-      restore_lengths(context, bounds, request, stage);
+      restore_lengths(context, bounds, request, stage,
+                      kind == ContactSolve::truncated ? truncated_restorations : length_restorations);
     }
     context.contacts.record_impacts(state.positions, request.time_weight);
   }
@@ -239,9 +241,9 @@ void LinearisedStage::end(const StageContext& context, const Stage& stage, Cours
 /// An inextensible cord that turns is compressed at a share of its way. Lengths that are restored may take it through
 /// something again.
 void LinearisedStage::restore_lengths(const StageContext& context, const MotionBounds& bounds,
-                                      const StageRequest& request, const Stage& stage) {
+                                      const StageRequest& request, const Stage& stage, int most) {
   IslandState& state = context.state;
-  for (int k = 0; k < length_restorations; ++k) {
+  for (int k = 0; k < most; ++k) {
     if (largest_strain(state, state.positions) <= LinkLengths::restored_strain) return;
     link_lengths_.restore(state, stage.inertia);
     if (groups_.keep_apart(context, bounds, request.from)) return;

@@ -60,7 +60,7 @@ class LinearisedStage {
   void settle(const StageContext& context, const StageRequest& request, Course& course);
   void end(const StageContext& context, const Stage& stage, Course& course);
   void restore_lengths(const StageContext& context, const MotionBounds& bounds, const StageRequest& request,
-                       const Stage& stage);
+                       const Stage& stage, int most);
   void append_rows(const StageContext& context, const Stage& stage);
   double energy(const StageContext& context, const Stage& stage, std::span<const Vec2> x);
   bool is_worse_than_best(const StageContext& context, const Stage& stage);

@@ -18,7 +18,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"grips", build_grips, drive_grips, 180, 0x93df58580d9e85ed},
     {"self_contact", build_self_contact, nullptr, 80, 0xc9b3a506802e91e5},
     {"thesis", build_thesis, drive_thesis, 180, 0x73170f821532aa5a},
-    {"rough", build_rough, drive_rough, 120, 0xc6f6cffeae8e209d},
+    {"rough", build_rough, drive_rough, 120, 0x123d8be6f5f17ef2},
     {"asleep", build_asleep, drive_asleep, 220, 0x92f1a7f546f39269},
     {"ties", build_ties, drive_ties, 120, 0xfb79683c45caa0ed},
     {"cuts", build_cuts, drive_cuts, 100, 0x49714b874bd5ea9f},
