@@ -50,7 +50,8 @@ class EnergyGuard {
   /// regained and `tolerated` [share of the scene's energy]. Near contacts the larger one of the last two counts.
   /// Returns false while something drives the island.
   bool gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated);
-  /// The last resort for a substep that is not solved: takes the energy that came from nowhere out of the velocities.
+  /// The last resort for a substep that is not solved, or in which Newton's method turned cells back: takes the energy
+  /// that came from nowhere out of the velocities.
   void remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);
   /// The same for a solved substep of implicit Euler, which may gain where contacts begin. It takes out no more than
   /// the motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself.

@@ -22,8 +22,8 @@ constexpr double far_share = 0.1;
 constexpr int full_linearisations = 5;  // after which a step has to reduce the energy
 constexpr double min_fraction = 1.0 / 64.0;
 constexpr double torn_ratio = 1e7;  // of a tension to the link's inertia times its length: more than anything possible
-constexpr int length_restorations = 5;  // of cords that were stopped; more give cords of heaps energy:
-constexpr int truncated_restorations = 4;
+constexpr int length_restorations = 5;     // of cords that were stopped
+constexpr int truncated_restorations = 4;  // the same in a truncated solve: more give cords of heaps energy
 
 /// N, the largest inertia force of the direction.
 double inertia_force(const StageContext& context, const Stage& stage) {
