@@ -59,9 +59,15 @@ Vec2 external_delta_v(const b2Body& body, const CarryState& state) {
   return length(delta) <= noise || is_teleported ? Vec2{} : delta;
 }
 
-/// Returns the change of velocity by contacts, joints and forces of Box2D in the last world.Step, m/s.
-Vec2 contact_delta_v(const b2Body& body, const CarryState& state) {
-  return to_double(body.GetLinearVelocity()) - state.velocity - external_delta_v(body, state);
+/// What changed a body's velocity since the solver set it, m/s.
+struct VelocityChanges {
+  Vec2 by_user;      // since world.Step
+  Vec2 by_contacts;  // in world.Step: contacts, joints and forces of Box2D
+};
+
+VelocityChanges velocity_changes(const b2Body& body, const CarryState& state) {
+  const Vec2 by_user = external_delta_v(body, state);
+  return {by_user, to_double(body.GetLinearVelocity()) - state.velocity - by_user};
 }
 
 /// Returns `v` with its component along the unit vector n shortened until |v|² is at most `most`, m²/s².
@@ -100,10 +106,9 @@ double allowed_speed_squared(const CarryState& state, Vec2 delta_v) {
 /// the direction n of its push. A force removes no more than it gave, and nothing as far as the cord expected it.
 /// Nothing may add energy: where the cord slowed the body down, the carry is against its velocity, and without it the
 /// body is faster than the cord has left it.
-Vec2 remaining_carry(const b2Body& body, const CarryState& state) {
+Vec2 remaining_carry(const b2Body& body, const CarryState& state, Vec2 delta_v) {
   const double noise = min_contact_delta_v * (1.0 + length(state.velocity));
   const bool meets = meets_anything(body);
-  const Vec2 delta_v = contact_delta_v(body, state);
   const Vec2 unexpected = delta_v - state.expected_delta_v;
   const double push = length(meets ? delta_v : unexpected);
   const double surprise = length(unexpected);
@@ -117,6 +122,10 @@ Vec2 remaining_carry(const b2Body& body, const CarryState& state) {
   const Vec2 end = pushed + rest;
   const Vec2 bounded_end = slowed_along(slowed_in, end, allowed_speed_squared(state, delta_v));
   return bounded_end == end ? rest : bounded_end - pushed;
+}
+
+Vec2 remaining_carry(const b2Body& body, const CarryState& state) {
+  return remaining_carry(body, state, velocity_changes(body, state).by_contacts);
 }
 
 /// The same for the rotation: a contact that turned the body against its carry ends the carry, as far as the energy of
@@ -144,9 +153,9 @@ Vec2 steady_part(const b2Body& body, Vec2 push, Vec2 change) {
 
 /// Returns the push [m/s] of Box2D's contacts and forces in the last tick that may go on. `velocity` is the momentary
 /// one of now, m/s.
-Vec2 steady_contact_delta_v(const b2Body& body, const CarryState& state, Vec2 velocity) {
-  const Vec2 change = velocity - external_delta_v(body, state) - state.start_velocity;
-  return steady_part(body, contact_delta_v(body, state), change);
+Vec2 steady_contact_delta_v(const b2Body& body, const CarryState& state, const VelocityChanges& changes,
+                            Vec2 velocity) {
+  return steady_part(body, changes.by_contacts, velocity - changes.by_user - state.start_velocity);
 }
 
 /// Returns the part of a push [m/s] that came in both of the last two ticks: what supports a standing or leaning body,
@@ -175,8 +184,9 @@ bool meets_anything(const b2Body& body) {
 void VelocityCarry::complete(const b2Body& body, RigidBody& rigid, double dt) {
   Entry* const found = entry(body);
   if (found == nullptr) return;
-  rigid.velocity += remaining_carry(body, *found);
-  found->next_contact_delta_v = steady_contact_delta_v(body, *found, rigid.velocity);
+  const VelocityChanges changes = velocity_changes(body, *found);
+  rigid.velocity += remaining_carry(body, *found, changes.by_contacts);
+  found->next_contact_delta_v = steady_contact_delta_v(body, *found, changes, rigid.velocity);
   // Without it the cord would let the body fall in each tick.
   found->next_expected_delta_v = lasting_part(found->contact_delta_v, found->next_contact_delta_v);
   found->completed = true;

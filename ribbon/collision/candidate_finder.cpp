@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -15,12 +16,6 @@
 
 namespace ribbon {
 namespace {
-
-bool may_touch(const Member& member) {
-  const CordDef& def = member.cord->def;
-  return !member.surroundings.circles.empty() || !member.surroundings.segments.empty() || def.self_contact ||
-         def.cord_contact;
-}
 
 bool grips(const Member& member, int body) {
   const auto& grips = member.surroundings.grips;
@@ -114,7 +109,7 @@ void CandidateFinder::find(IslandState& state, MotionBounds& bounds, Contacts& c
   contacts.clear(state.points);
   state.touch_changed = false;
   bounds.disable();
-  if (std::none_of(state.members.begin(), state.members.end(), may_touch)) return;
+  if (std::none_of(state.members.begin(), state.members.end(), std::mem_fn(&Member::may_touch))) return;
   bounds.find(state);
   for (std::size_t m = 0; m < state.members.size(); ++m) {
     const Member& member = state.members[m];

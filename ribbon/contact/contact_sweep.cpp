@@ -13,6 +13,9 @@ constexpr int max_advances = 32;
 constexpr double separated_of_start = 0.995;  // of the distance at the start, what separate_groups leaves
 constexpr int max_reductions = 12;            // of the fraction of a group, before it has to stop
 
+/// An upper bound of the length of v that takes no root.
+double sum_of_sizes(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
+
 }  // namespace
 
 void ContactSweep::reserve(std::size_t anchors, std::size_t slots) {
@@ -38,10 +41,14 @@ double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance
   const Vec2 disc = displacement(pair.disc);
   const Vec2 past_a = disc - displacement(pair.a);
   const Vec2 past_b = disc - displacement(pair.b);
+  const double distance = clearance.fraction * pair.contact_distance;
+  const auto may_touch = [&](double approach) {
+    return may_be_within(distance + max * approach, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)]);
+  };
+  // Most pairs are apart by so much that an upper bound of the speed, which takes no root, shows it.
+  if (!may_touch(std::max(sum_of_sizes(past_a), sum_of_sizes(past_b)))) return max;
   const double speed = std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
-  if (speed == 0.0) return max;
-  const double within = clearance.fraction * pair.contact_distance + max * speed;
-  if (!may_be_within(within, from_[at(pair.disc)], from_[at(pair.a)], from_[at(pair.b)])) return max;
+  if (speed == 0.0 || !may_touch(speed)) return max;
   const auto gap = [&](double fraction) {
     const auto there = [&](int anchor) { return from_[at(anchor)] + fraction * displacement(anchor); };
     return find_separation(there(pair.disc), there(pair.a), there(pair.b));
@@ -49,7 +56,7 @@ double ContactSweep::free_fraction(const PairGeometry& pair, Clearance clearance
   Separation now = gap(0.0);
   if (pair.is_mutual && now.distance <= ContactPair::coincident_share * pair.contact_distance) return max;
   double fraction = 0.0;
-  const double nearest = std::min(clearance.fraction * pair.contact_distance, clearance.of_start * now.distance);
+  const double nearest = std::min(distance, clearance.of_start * now.distance);
   for (int k = 0; k < max_advances; ++k) {
     if (now.distance - nearest <= distance_tolerance * pair.contact_distance && k > 0) break;
     const double approach = -std::min(dot(now.normal, past_a), dot(now.normal, past_b));

@@ -55,9 +55,8 @@ double Chain::rotation_rate(const Stage& stage, std::size_t link, Vec2 d) const 
   return rotational_extension_rate(stage, stage.start(link) - stage.start(link + 1), d);
 }
 
-MixedBar Chain::bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
-  const MixedBar undamped{size - rest_lengths_[link], compliance(link)};
-  if (damping_ == 0.0) return undamped;
+MixedBar Chain::damped_bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, const MixedBar& undamped,
+                           Vec2 d) const {
   const double rate = dot(d, stage.velocity_at(link, x[link]) - stage.velocity_at(link + 1, x[link + 1])) -
                       rotation_rate(stage, link, d);
   return damped(undamped.elongation, rate, undamped.compliance, damping_, stage.q);
@@ -84,6 +83,7 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
 ///
 /// A constrained point has S = 0, a slack link 1/σ = 0. Substitution in the opposite order gives all δ and λ.
 /// This eliminates point a = e + 1, and makes `row` that of point b = e.
+template <bool in_medium>
 [[gnu::always_inline]] inline EliminatedLink Chain::eliminate_point(const Stage& stage, std::span<const Vec2> x,
                                                                     std::size_t e, double last_tension,
                                                                     PointRow& row) const {
@@ -113,19 +113,32 @@ double Chain::geometric(const Stage& stage, std::size_t link, double size, doubl
   a.xx = stage.inertia[e] + across * u.x * u.x + p.x * slope.x;
   a.xy = without_dust(across * u.x * u.y + p.x * slope.y);
   a.yy = stage.inertia[e] + across * u.y * u.y + p.y * slope.y;
-  r = without_dust(stage.residual(e, x[e]) + (g * dot(u, sr)) * u - tension * p);
+  const Vec2 residual = in_medium ? stage.residual(e, x[e]) : stage.residual_without_medium(e, x[e]);
+  r = without_dust(residual + (g * dot(u, sr)) * u - tension * p);
   return {tension, slope, sr + tension * sd, (g * su.x) * u + sd.x * slope, (g * su.y) * u + sd.y * slope};
 }
 
 bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
                         std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) {
+  if (stage.resistance.empty()) {
+    solve<false>(stage, x, tensions, direction, next, eliminated);
+  } else {
+    solve<true>(stage, x, tensions, direction, next, eliminated);
+  }
+  return true;
+}
+
+/// Without a medium the elimination, of which each point waits for the one before, does not even ask for it.
+template <bool in_medium>
+void Chain::solve(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions,
+                  std::span<Vec2> direction, std::span<double> next, std::span<EliminatedLink> eliminated) const {
   const std::size_t n = x.size();
   PointRow row{{stage.inertia[n - 1], 0.0, stage.inertia[n - 1]},
                stage.residual(n - 1, x[n - 1]),
                min_singular_compliance / stage.inertia[0]};
   std::size_t bodies = stage.condensed_bodies.size();
   const auto add_others = [&](std::size_t point) {
-    if (!stage.resistance.empty()) row.a = row.a + stage.resistance[point];
+    if (in_medium) row.a = row.a + stage.resistance[point];
     while (bodies > 0 && stage.condensed_bodies[bodies - 1].point == point) {
       --bodies;
       row.a = row.a + stage.condensed_bodies[bodies].stiffness;
@@ -134,7 +147,7 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
   };
   add_others(n - 1);
   for (std::size_t e = n - 1; e-- > 0;) {
-    eliminated[e] = eliminate_point(stage, x, e, tensions[e], row);
+    eliminated[e] = eliminate_point<in_medium>(stage, x, e, tensions[e], row);
     add_others(e);
   }
 
@@ -149,7 +162,6 @@ bool Chain::newton_step(const Stage& stage, std::span<const Vec2> x, std::span<c
     next[e] = link.tension + dot(link.slope, near);
     direction[e + 1] = link.shift + Vec2{dot(link.matrix_x, near), dot(link.matrix_y, near)};
   }
-  return true;
 }
 
 /// A tension follows both of its points: so its pivot is not 0 if one of them is constrained.

@@ -47,6 +47,10 @@ class Chain final : public Elasticity {
     double min_sigma;  ///< least σ, m/N
   };
 
+  template <bool in_medium>
+  void solve(const Stage& stage, std::span<const Vec2> x, std::span<const double> tensions, std::span<Vec2> direction,
+             std::span<double> next, std::span<EliminatedLink> eliminated) const;
+  template <bool in_medium>
   EliminatedLink eliminate_point(const Stage& stage, std::span<const Vec2> x, std::size_t e, double last_tension,
                                  PointRow& row) const;
   bool is_left_out(std::size_t link) const { return !left_out_.empty() && left_out_[link] != 0; }
@@ -55,7 +59,12 @@ class Chain final : public Elasticity {
   double rotation_rate(const Stage& stage, std::size_t link, Vec2 d) const;
   double geometric(const Stage& stage, std::size_t link, double size, double tension) const;
   /// Returns a link in this stage: `size` [m] is its length, d its direction from point link + 1 to point link.
-  MixedBar bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const;
+  MixedBar bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, double size, Vec2 d) const {
+    const MixedBar undamped{size - rest_lengths_[link], compliance(link)};
+    return damping_ == 0.0 ? undamped : damped_bar(stage, x, link, undamped, d);
+  }
+  MixedBar damped_bar(const Stage& stage, std::span<const Vec2> x, std::size_t link, const MixedBar& undamped,
+                      Vec2 d) const;
 
   double inverse_stiffness_ = 0.0;  // 1/EA, 1/N
   double damping_ = 0.0;            // s

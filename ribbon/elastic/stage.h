@@ -69,10 +69,11 @@ struct Stage {
 
   /// Returns the force on point p at x without that of W, less its inertia force, N.
   Vec2 residual(std::size_t p, Vec2 x) const {
-    const Vec2 moved = x - predicted[p];
-    const Vec2 free = force[p] - inertia[p] * moved;
-    return resistance.empty() ? free : free - resistance[p] * moved;
+    const Vec2 free = residual_without_medium(p, x);
+    return resistance.empty() ? free : free - resistance[p] * (x - predicted[p]);
   }
+  /// Returns the same without the force of a medium.
+  Vec2 residual_without_medium(std::size_t p, Vec2 x) const { return force[p] - inertia[p] * (x - predicted[p]); }
   /// Returns the velocity of point p at x, m/s.
   Vec2 velocity_at(std::size_t p, Vec2 x) const { return velocity[p] + (1.0 / q) * (x - predicted[p]); }
   /// Returns the start position x₀ of implicit Euler, m.

@@ -181,12 +181,15 @@ CordEnergy EnergyGuard::energy_without_contacts(IslandState& state) {
       sum.potential -= dot(cord.state.loads[p], x[member.first_point + p] - origin);
     }
   }
-  for (std::size_t p = 0; p < state.slots(); ++p) {
+  for (std::size_t p = 0; p < state.points; ++p) {
+    const Vec2 v = state.velocities[p] - frame;
+    sum.kinetic += 0.5 * state.masses[p] * dot(v, v);
+    sum.potential -= state.masses[p] * dot(state.free_accelerations[p], x[p] - origin);
+  }
+  for (std::size_t p = state.points; p < state.slots(); ++p) {
     const Vec2 v = state.is_scalar(p) ? state.velocities[p] : state.velocities[p] - frame;
     sum.kinetic += 0.5 * state.masses[p] * dot(v, v);
   }
-  for (std::size_t p = 0; p < state.points; ++p)
-    sum.potential -= state.masses[p] * dot(state.free_accelerations[p], x[p] - origin);
   for (std::size_t k = 0; k < state.bodies.size(); ++k) {
     const std::size_t center = state.center(k);
     sum.potential -= state.masses[center] * dot(state.free_accelerations[center], x[center] - origin);
@@ -206,14 +209,26 @@ void EnergyGuard::measure(IslandState& state, Contacts& contacts) {
   if (is_pushed(state, contacts)) {
     was_pushed_ = true;
   } else {
-    after_ = total_energy(state, contacts);
+    measure_once(state, contacts);
     if (!state.pushes.empty()) known_work_ += max_known_work(state);
   }
 }
 
+void EnergyGuard::measure_once(IslandState& state, Contacts& contacts) {
+  if (!is_measured_) after_ = total_energy(state, contacts);
+  is_measured_ = true;
+}
+
 bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated) {
+  discard_measurement();
   if (is_driven(state, contacts)) return false;
-  after_ = total_energy(state, contacts);
+  measure_once(state, contacts);
+  return is_gain(state, contacts, before, tolerated);
+}
+
+/// Returns whether the energy that was measured is more than the one before and what may be added to it.
+bool EnergyGuard::is_gain(const IslandState& state, const Contacts& contacts, const Energy& before,
+                          double tolerated) const {
   const double share = tolerated * scale(before);
   double allowed = regainable_ + share;
   if (!contacts.empty() && regainable_ > 0.0) {
@@ -228,12 +243,16 @@ bool EnergyGuard::gained_energy(IslandState& state, Contacts& contacts, const En
 void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
   if (!gained_energy(state, contacts, before, tolerated_gain)) return;
   slow_down(state, std::max(0.0, after_.total() - before.total()));
+  discard_measurement();
 }
 
 void EnergyGuard::remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before) {
-  if (!gained_energy(state, contacts, before, tolerated_gain)) return;
+  if (is_driven(state, contacts)) return;
+  measure_once(state, contacts);
+  if (!is_gain(state, contacts, before, tolerated_gain)) return;
   const double motion = after_.kinetic - before.kinetic + after_.potential - before.potential;
   slow_down(state, std::clamp(motion, 0.0, std::max(0.0, after_.total() - before.total())));
+  discard_measurement();
 }
 
 void EnergyGuard::account(IslandState& state, const Contacts& contacts, const Energy& before) {

@@ -44,8 +44,10 @@ class EnergyGuard {
     return state.in_medium || is_driven(state, contacts);
   }
   /// Stores the energy at the end of the substep, unless something pushes the island. Once a substep, or a part of it
-  /// that is kept.
+  /// that is kept. It takes what gained_energy() has measured last, unless that was discarded.
   void measure(IslandState& state, Contacts& contacts);
+  /// Call it when the state has changed since gained_energy() measured it.
+  void discard_measurement() { is_measured_ = false; }
   /// Measures, and returns whether the energy has risen since `before` by more than the work of grips, what may be
   /// regained and `tolerated` [share of the scene's energy]. Near contacts the larger one of the last two counts.
   /// Returns false while something drives the island.
@@ -54,7 +56,8 @@ class EnergyGuard {
   /// that came from nowhere out of the velocities.
   void remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);
   /// The same for a solved substep of implicit Euler, which may gain where contacts begin. It takes out no more than
-  /// the motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself.
+  /// the motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself. It
+  /// takes what gained_energy() has measured last.
   void remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before);
   /// Ends a substep: updates what may be regained and what was lost, and slows down what has gained too much in all.
   /// Nothing, where something pushes the island.
@@ -62,12 +65,15 @@ class EnergyGuard {
 
  private:
   static Energy energy_without_contacts(IslandState& state);
+  void measure_once(IslandState& state, Contacts& contacts);
+  bool is_gain(const IslandState& state, const Contacts& contacts, const Energy& before, double tolerated) const;
   double scale(const Energy& energy) const;
 
   double regainable_ = 0.0;    // J, lost in recent substeps; negative if gained
   double drift_ = 0.0;         // J, lost since the cords were created; negative if gained
   double weight_scale_ = 0.0;  // J, M·g·L, and so for loads
   Energy after_;
+  bool is_measured_ = false;  // after_ is the energy of the state
   double unpushed_ = 0.0;    // J, at the start of the step, with pushed bodies where they were pushed
   double known_work_ = 0.0;  // J, in the step so far, if something was pushed
   bool was_pushed_ = false;  // in the step: something changed the energy by an amount that is not known

@@ -110,8 +110,10 @@ void Island::begin_attempt(std::span<const IslandCord> cords, std::span<const Ti
   add_supporting_bodies(state_);
   // First without the slots of bodies and grips, so that these are zero in all arrays, whatever was solved before.
   resize(state_.points, state_.tensions.size());
-  resize(state_.points + 2 * state_.bodies.size() + state_.wheels.size(),
-         state_.tensions.size() + 2 * state_.wheels.size() + 2 * state_.held.size());
+  if (!state_.bodies.empty() || !state_.wheels.empty()) {
+    resize(state_.points + 2 * state_.bodies.size() + state_.wheels.size(),
+           state_.tensions.size() + 2 * state_.wheels.size() + 2 * state_.held.size());
+  }
   load_bodies(state_);
   if (bounds_.enabled()) bounds_.store_start(state_);
   if (bounds_.enabled() || state_.coupled) stages_.reserve_linearised(state_, contacts_);
@@ -215,6 +217,9 @@ void Island::write_reports(std::span<CordReport> reports) const {
 
 void Island::resize(std::size_t slots, std::size_t tensions) {
   state_.resize(slots, tensions);
+  const Sizes sizes{slots, tensions, state_.held.size()};
+  if (sizes == sizes_) return;
+  sizes_ = sizes;
   stages_.resize(slots, tensions, state_.held.size());
   substeps_.resize(slots, tensions);
   linearised_step_.resize(slots, tensions);

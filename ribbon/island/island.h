@@ -32,6 +32,15 @@ class Island {
   void reserve(const CordParts& cord, std::size_t grips);
 
  private:
+  /// What the memory of a step depends on.
+  struct Sizes {
+    std::size_t slots = 0;
+    std::size_t tensions = 0;
+    std::size_t grips = 0;
+
+    bool operator==(const Sizes&) const = default;
+  };
+
   StepContext context() { return {state_, contacts_, bounds_, stages_, guard_, work_}; }
   void begin_attempt(std::span<const IslandCord> cords, std::span<const TiedPoint> tied, ApartTies apart);
   bool truncates(bool linearised) const;
@@ -50,6 +59,7 @@ class Island {
   EnergyGuard guard_;
   StepWork work_;
   bool pausing_newton_ = false;  // in this step
+  Sizes sizes_;                  // of all arrays
   Substeps substeps_;
   LinearisedStep linearised_step_;
   Restitution restitution_;

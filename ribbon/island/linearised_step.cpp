@@ -202,6 +202,7 @@ bool LinearisedStep::take_back(const StepContext& context, const Piece& piece, d
     if (EnergyGuard::is_pushed(state, contacts)) changed = limit_speeds(state) || changed;
   }
   if (state.overstretched) changed = limit_speeds(state) || changed;
+  context.guard.discard_measurement();
   context.guard.measure(state, contacts);
   was_pushed_ = was_pushed_ || EnergyGuard::is_pushed(state, contacts);
   state.restart = true;

@@ -126,10 +126,10 @@ void slow_down(IslandState& state, double excess) {
   state.add_damping(1.0);
 }
 
-void restore_momentum(IslandState& state, const Contacts& contacts) {
+bool restore_momentum(IslandState& state, const Contacts& contacts) {
   if (!contacts.impacts.any() || state.driven || state.in_medium || contacts.impacts.touch_kinematic(contacts.scene) ||
       !is_free(state))
-    return;
+    return false;
   const SubstepStart& start = state.start;
   const Spin before = spin(state, start.positions, start.velocities);
   const Spin after = spin(state, state.positions, state.velocities);
@@ -144,6 +144,7 @@ void restore_momentum(IslandState& state, const Contacts& contacts) {
       state.velocities[p].x += turning;
     }
   }
+  return true;
 }
 
 bool is_thrown(const IslandState& state) {

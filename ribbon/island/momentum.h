@@ -11,8 +11,8 @@ namespace ribbon {
 /// stays.
 void slow_down(IslandState& state, double excess);
 /// Restores the momentum of a free island after an impact, as a rigid motion of all of it. Implicit Euler takes some of
-/// the angular momentum, and large forces cost the linear one digits.
-void restore_momentum(IslandState& state, const Contacts& contacts);
+/// the angular momentum, and large forces cost the linear one digits. Returns whether it changed the velocities.
+bool restore_momentum(IslandState& state, const Contacts& contacts);
 /// Reduces the speed of all that is faster than anything was at the start of the substep and can have fallen since.
 /// Returns whether something was.
 bool limit_speeds(IslandState& state);

@@ -9,13 +9,13 @@ constexpr double min_share = 0.1;  // of the impulse: one that has to be less is
 
 }  // namespace
 
-void Restitution::apply(const StepContext& context, const CordEnergy& before, double dt) {
+bool Restitution::apply(const StepContext& context, const CordEnergy& before, double dt) {
   IslandState& state = context.state;
   const ImpactVelocities velocities{state.start.velocities, state.velocities, state.pushes};
-  if (!context.contacts.begin_restitution(state.positions, velocities, dt)) return;
+  if (!context.contacts.begin_restitution(state.positions, velocities, dt)) return false;
   const std::vector<Vec2>* change = context.stages.find_restitution(state, context.contacts, dt);
   context.contacts.end_restitution(state.positions, change);
-  if (change == nullptr) return;
+  if (change == nullptr) return false;
   velocities_ = state.velocities;
   state.add_damping(-1.0);
   for (double share = 1.0; share > min_share; share *= reduction) {
@@ -24,12 +24,15 @@ void Restitution::apply(const StepContext& context, const CordEnergy& before, do
     }
     state.restart = true;
     state.add_damping(1.0);
-    if (loses_energy(state) || !context.gained_energy(before, EnergyGuard::tolerated_gain))
-      return context.contacts.impacts.record_restitution(share, dt);
+    if (loses_energy(state) || !context.gained_energy(before, EnergyGuard::tolerated_gain)) {
+      context.contacts.impacts.record_restitution(share, dt);
+      return true;
+    }
     state.add_damping(-1.0);
   }
   state.velocities = velocities_;
   state.add_damping(1.0);
+  return true;
 }
 
 /// Returns whether pushes have given more kinetic energy than is left. `velocities_` are those before restitution. The

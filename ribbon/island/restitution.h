@@ -13,8 +13,8 @@ namespace ribbon {
 class Restitution {
  public:
   void resize(std::size_t slots) { velocities_.resize(slots); }
-  /// Changes the velocities, by less if the energy has risen since `before`.
-  void apply(const StepContext& context, const CordEnergy& before, double dt);
+  /// Changes the velocities, by less if the energy has risen since `before`. Returns false if nothing was hit.
+  bool apply(const StepContext& context, const CordEnergy& before, double dt);
 
  private:
   bool loses_energy(const IslandState& state) const;

@@ -23,6 +23,7 @@ struct StepContext {
 
   /// Begins a substep, or a part of one, at `time` [s] since the step began.
   void begin_substep(double time, double dt) const {
+    guard.discard_measurement();
     state.begin_substep(time, dt);
     if (contacts.empty()) return;
     contacts.scene.anchors.place_kinematics(time);
@@ -30,6 +31,7 @@ struct StepContext {
   }
   /// Returns to the start of the substep.
   void return_to_start() const {
+    guard.discard_measurement();
     contacts.scene.anchors.place_kinematics(state.start.time);
     contacts.impacts.return_to_start();
     state.return_to_start();

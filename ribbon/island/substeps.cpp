@@ -80,8 +80,8 @@ void Substeps::end(const StepContext& context, const CordEnergy& before, double 
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (!contacts.empty()) {
-    restitution.apply(context, before, dt);
-    restore_momentum(state, contacts);
+    const bool rebounds = restitution.apply(context, before, dt);
+    if (restore_momentum(state, contacts) || rebounds) context.guard.discard_measurement();
   }
   context.guard.measure(state, contacts);
   if (state.overstretched) limit_speeds(state);

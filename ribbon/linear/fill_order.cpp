@@ -92,7 +92,8 @@ void FillOrder::make_element(int pivot) {
   elements_[at(pivot)] = {first, static_cast<int>(element_variables_.size() - first), false};
 }
 
-/// Counts the variables outside the pivot's element for each element that shares a variable with it.
+/// Counts the variables outside the pivot's element for each element that shares a variable with it. All variables of
+/// an element that is not absorbed remain: the element of one that was eliminated would have absorbed it.
 void FillOrder::count_outside_variables(int pivot) {
   for (const int variable : variables_of(pivot)) {
     for (const int element : elements(variable)) outside_[at(element)] = -1;
@@ -101,11 +102,7 @@ void FillOrder::count_outside_variables(int pivot) {
     for (const int element : elements(variable)) {
       if (elements_[at(element)].absorbed) continue;
       int& left = outside_[at(element)];
-      if (left < 0) {
-        const std::span<int> all = variables_of(element);
-        left = static_cast<int>(
-            std::count_if(all.begin(), all.end(), [this](int other) { return degrees_[at(other)] >= 0; }));
-      }
+      if (left < 0) left = elements_[at(element)].count;
       --left;
     }
   }

@@ -53,6 +53,8 @@ void IslandState::place_gaps(double time) {
 }
 
 void IslandState::resize(std::size_t slots, std::size_t tension_count) {
+  if (in_medium) medium_forces.resize(slots);
+  if (positions.size() == slots && tensions.size() == tension_count) return;  // so are all the others
   for (auto* all : {&positions, &velocities, &accelerations, &free_accelerations, &drive_starts, &drive_velocities,
                     &start.positions, &start.velocities}) {
     all->resize(slots);
@@ -62,7 +64,6 @@ void IslandState::resize(std::size_t slots, std::size_t tension_count) {
   constrained.resize(slots);
   tensions.resize(tension_count);
   start.tensions.resize(tension_count);
-  if (in_medium) medium_forces.resize(slots);
 }
 
 void IslandState::begin_substep(double time, double substep_dt) {

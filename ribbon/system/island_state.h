@@ -37,11 +37,17 @@ struct Member {
   double last_correction = 0.0;  ///< m, the largest of its points by the last linear solve of a linearised stage
   bool stopped = false;          ///< that stage stopped it to prevent penetration
   bool in_medium = false;        ///< a medium acts on it
-  double pressing_mass = 0.0;    ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts
+  double pressing_mass = 0.0;    ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts;
+                                 ///< 0 where there can be none
   double start_strain = 0.0;     ///< largest of its links at the start of the step; 0 unless the island has ties
 
   std::size_t end_point() const { return first_point + points; }
   bool has_point(std::size_t slot) const { return slot >= first_point && slot < end_point(); }
+  /// Returns whether it may touch anything in the step.
+  bool may_touch() const {
+    return !surroundings.circles.empty() || !surroundings.segments.empty() || cord->def.self_contact ||
+           cord->def.cord_contact;
+  }
 };
 
 /// A body that is solved with the cords.

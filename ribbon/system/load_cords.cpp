@@ -54,7 +54,7 @@ std::size_t add_members(IslandState& state, std::span<const IslandCord> cords) {
   state.accuracy = cords[0].cord->parts().def.accuracy;
   for (const IslandCord& island_cord : cords) {
     CordParts& cord = island_cord.cord->parts();
-    Member member;
+    Member& member = state.members.emplace_back();
     member.cord = &cord;
     member.surroundings = island_cord.surroundings;
     member.id = island_cord.id;
@@ -63,7 +63,6 @@ std::size_t add_members(IslandState& state, std::span<const IslandCord> cords) {
     member.first_tension = tensions;
     member.tensions = cord.state.tensions.size();
     member.first_dual = state.duals;
-    state.members.push_back(member);
     state.duals += cord.elasticity->dual_count();
     state.points += member.points;
     tensions += member.tensions;
@@ -111,10 +110,12 @@ void find_tolerance(IslandState& state) {
 
 void drive_points(IslandState& state, const Member& member) {
   const Cord::State& cord = member.cord->state;
+  const auto constrained = IslandState::points_of(member, state.constrained);
+  std::transform(cord.kinds.begin(), cord.kinds.end(), constrained.begin(),
+                 [](PointKind kind) { return static_cast<char>(kind != PointKind::free); });
   for (std::size_t i = 0; i < member.points; ++i) {
     const std::size_t p = member.first_point + i;
-    state.constrained[p] = cord.kinds[i] == PointKind::free ? 0 : 1;
-    if (state.constrained[p] != 0) state.drive(p, (1.0 / state.dt) * (cord.targets[i] - state.positions[p]));
+    if (constrained[i] != 0) state.drive(p, (1.0 / state.dt) * (cord.targets[i] - state.positions[p]));
   }
 }
 
@@ -341,7 +342,7 @@ void load_cords(IslandState& state, std::span<const IslandCord> cords, std::span
     drive_points(state, member);
     add_grips(state, member);
     add_wheels(state, member);
-    member.pressing_mass = pressing_mass(state, member);
+    if (member.may_touch() || !tied.empty()) member.pressing_mass = pressing_mass(state, member);
     load_reel(state, member);
     load_overstretch(state, member);
     member.cord->include_damping();

@@ -7,10 +7,31 @@
 namespace ribbon {
 namespace {
 
+constexpr double square_rounding = 1e-12;  // by which squares may misjudge a length
+
 /// m
 double length_of(const Member& member) {
   const std::vector<double>& rest = member.cord->state.rest;
   return std::accumulate(rest.begin(), rest.end(), 0.0);
+}
+
+/// Returns false only if no strain of a cord's links at `x` exceeds this one. Cheaper than the largest strain: it takes
+/// no roots.
+bool may_exceed(double strain, const Member& member, std::span<const Vec2> x) {
+  if (std::isfinite(member.cord->def.stretch_stiffness)) return false;
+  const double most = (1.0 - square_rounding) * (1.0 + strain);
+  const double least = member.cord->def.tension_only ? 0.0 : std::max(0.0, (1.0 + square_rounding) * (1.0 - strain));
+  const double most2 = most * most;
+  const double least2 = least * least;
+  const std::vector<double>& rest = member.cord->state.rest;
+  for (std::size_t link = 0; link + 1 < member.points; ++link) {
+    const std::size_t p = member.first_point + link;
+    const Vec2 along = x[p + 1] - x[p];
+    const double size2 = dot(along, along);
+    const double rest2 = rest[link] * rest[link];
+    if (!(size2 <= most2 * rest2 && size2 >= least2 * rest2) && !member.cord->is_on_wheel(link)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -35,6 +56,10 @@ double largest_strain(const IslandState& state, std::span<const Vec2> x) {
 }
 
 bool became_stretched(const IslandState& state, double strain) {
+  const bool any = std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
+    return may_exceed(strain, member, state.positions);
+  });
+  if (!any) return false;
   const double now = largest_strain(state, state.positions);
   return now > strain && now > largest_strain(state, state.start.positions);
 }
