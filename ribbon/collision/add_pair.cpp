@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ribbon/geometry/separation.h"
 #include "ribbon/linear/index.h"
@@ -65,7 +66,9 @@ Vec2 toward_neighbours(const IslandState& state, int slot) {
 
 /// Returns the direction in which a point leaves a link of a cord that it coincides with, as where a tie has ended: to
 /// the side on which its own cord is, away from where the other one is. Returns zero if both are on both sides.
-Vec2 parting_direction(const IslandState& state, const ContactPair& pair, const Separation& gap) {
+Vec2 parting_direction(const IslandState& state, const ContactPair& pair) {
+  const Separation gap =
+      find_separation(state.positions[at(pair.disc)], state.positions[at(pair.a)], state.positions[at(pair.b)]);
   Vec2 way = toward_neighbours(state, pair.disc);
   if (!gap.is_interior()) {
     way -= toward_neighbours(state, gap.along == 0.0 ? pair.a : pair.b);
@@ -93,12 +96,15 @@ int add_anchor(IslandState& state, Contacts& contacts, int body, Vec2 arm) {
   return contacts.scene.add(anchor);
 }
 
-Separation initial_separation(const IslandState& state, const Contacts& contacts, const ContactPair& pair) {
-  return find_separation(anchor_position(state, contacts, pair.disc), anchor_position(state, contacts, pair.a),
-                         anchor_position(state, contacts, pair.b));
+double initial_distance(const IslandState& state, const Contacts& contacts, const ContactPair& pair) {
+  const Vec2 disc = anchor_position(state, contacts, pair.disc);
+  const Vec2 a = anchor_position(state, contacts, pair.a);
+  const Vec2 b = anchor_position(state, contacts, pair.b);
+  if (!may_be_within(pair.contact_distance, disc, a, b)) return std::numeric_limits<double>::infinity();
+  return find_separation(disc, a, b).distance;
 }
 
-void add_pair(const IslandState& state, Contacts& contacts, const PairSurfaces& surfaces, const Separation& gap,
+void add_pair(const IslandState& state, Contacts& contacts, const PairSurfaces& surfaces, double distance,
               ContactPair& pair) {
   const Member& member = surfaces.member;
   const CordDef& def = member.cord->def;
@@ -109,10 +115,10 @@ void add_pair(const IslandState& state, Contacts& contacts, const PairSurfaces& 
   pair.friction = std::sqrt(def.friction * surfaces.friction);
   pair.restitution = std::max(def.restitution, surfaces.restitution);
   restore_touch(surfaces.touches, pair);
-  if (pair.is_mutual && gap.distance <= ContactPair::coincident_share * pair.contact_distance) {
-    pair.parting = parting_direction(state, pair, gap);
+  if (pair.is_mutual && distance <= ContactPair::coincident_share * pair.contact_distance) {
+    pair.parting = parting_direction(state, pair);
   }
-  limit_penetration(state, gap.distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
+  limit_penetration(state, distance, std::min(pair.contact_distance, large_circle * member.cord->state.rest[0]),
                     member.cord->state.depenetration_share, pair);
   contacts.scene.add(pair);
 }

@@ -57,9 +57,9 @@ Vec2 mean_displacement(const IslandState& state, std::span<const Vec2> ends) {
   return (1.0 / static_cast<double>(state.points)) * sum;
 }
 
-/// Returns the separation of a point and a link that in free motion may come within a distance of each other.
-std::optional<Separation> separation_within(const IslandState& state, std::span<const Vec2> ends, std::size_t disc,
-                                            const Member& member, int link, double distance) {
+/// Returns the distance [m] of a point and a link that in free motion may come within another distance of each other.
+std::optional<double> distance_within(const IslandState& state, std::span<const Vec2> ends, std::size_t disc,
+                                      const Member& member, int link, double distance) {
   const std::size_t a = outline_slot(member, link);
   const std::size_t b = outline_slot(member, link + 1);
   const auto& x = state.positions;
@@ -68,9 +68,9 @@ std::optional<Separation> separation_within(const IslandState& state, std::span<
   const Vec2 past_b = displacement - (ends[b] - x[b]);
   const double swept = distance + std::sqrt(std::max(dot(past_a, past_a), dot(past_b, past_b)));
   if (!may_be_within(swept, x[disc], x[a], x[b])) return std::nullopt;
-  const Separation gap = find_separation(x[disc], x[a], x[b]);
-  if (!(gap.distance <= swept)) return std::nullopt;
-  return gap;
+  const double now = find_separation(x[disc], x[a], x[b]).distance;
+  if (!(now <= swept)) return std::nullopt;
+  return now;
 }
 
 bool may_touch_cords(const IslandState& state, const CordDef& def) {
@@ -171,7 +171,7 @@ void CandidateFinder::find_circle(const Search& search, const RigidCircle& circl
     pair.touch.feature = by_points ? 2 * k + 1 : 2 * k;
     add_pair(state, search.contacts,
              {member, search.touches, member.pressing_mass, circle.friction, circle.restitution},
-             initial_separation(state, search.contacts, pair), pair);
+             initial_distance(state, search.contacts, pair), pair);
   }
 }
 
@@ -209,7 +209,7 @@ void CandidateFinder::find_segment(const Search& search, const RigidSegment& seg
     pair.touch.feature = 2 * k + 1;
     add_pair(state, search.contacts,
              {member, search.touches, member.pressing_mass, segment.friction, segment.restitution},
-             initial_separation(state, search.contacts, pair), pair);
+             initial_distance(state, search.contacts, pair), pair);
   }
 }
 
@@ -299,9 +299,9 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const double contact_distance = def.radius + other.cord->def.radius;
   const double bound =
       itself && are_close(*member.cord, k, link.link) ? search.bounds.near_of(link.member) : search.bound + other_bound;
-  const std::optional<Separation> gap =
-      separation_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound);
-  if (!gap) return;
+  const std::optional<double> distance =
+      distance_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound);
+  if (!distance) return;
   const auto is_excluded = [&](int of_other) {
     if (itself) return are_neighbours(def, k, of_other);
     return were_neighbours(member, k, other, of_other) || are_tied(state, member, k, other, of_other);
@@ -320,7 +320,7 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   pair.touch.other_feature = link.link + 1;
   const double mass = itself ? member.pressing_mass : member.pressing_mass + other.pressing_mass;
   add_pair(state, search.contacts,
-           {member, search.touches, mass, other.cord->def.friction, other.cord->def.restitution}, *gap, pair);
+           {member, search.touches, mass, other.cord->def.friction, other.cord->def.restitution}, *distance, pair);
 }
 
 }  // namespace ribbon
