@@ -114,7 +114,7 @@ void CandidateFinder::find(IslandState& state, MotionBounds& bounds, Contacts& c
   for (std::size_t m = 0; m < state.members.size(); ++m) {
     const Member& member = state.members[m];
     touches_.list(*member.cord);
-    const Search search{state, bounds, contacts, member, touches_, bounds.of(m)};
+    const Search search{state, bounds, contacts, member, touches_, bounds.of(m), {}};
     sweep_outline(search);
     const double longest = member.surroundings.circles.empty() ? 0.0 : longest_link(state, member);
     for (const RigidCircle& circle : member.surroundings.circles) {
@@ -224,7 +224,9 @@ void CandidateFinder::find_cords(IslandState& state, const MotionBounds& bounds,
     const Member& member = state.members[m];
     if (!member.cord->def.self_contact && !member.cord->def.cord_contact) continue;
     touches_.list(*member.cord);
-    const Search search{state, bounds, contacts, member, touches_, bounds.of(m)};
+    rest_positions_.clear();
+    if (member.cord->def.self_contact) list_rest_positions(member.cord->def, rest_positions_);
+    const Search search{state, bounds, contacts, member, touches_, bounds.of(m), rest_positions_};
     for (std::size_t k = 0; k < member.cord->outline.size(); k += block) find_block(search, k, drift);
   }
 }
@@ -302,8 +304,9 @@ void CandidateFinder::find_link(const Search& search, int k, const OutlineLink& 
   const std::optional<double> distance =
       distance_within(state, search.bounds.ends(), disc, other, link.link, contact_distance + bound);
   if (!distance) return;
+  const bool near_at_rest = itself && may_be_neighbours(def, search.rest, k, link.link);
   const auto is_excluded = [&](int of_other) {
-    if (itself) return are_neighbours(def, k, of_other);
+    if (itself) return near_at_rest && are_neighbours(def, search.rest, k, of_other);
     return were_neighbours(member, k, other, of_other) || are_tied(state, member, k, other, of_other);
   };
   if (is_excluded(link.link)) return;

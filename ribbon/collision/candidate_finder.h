@@ -35,6 +35,7 @@ class CandidateFinder {
     const Member& member;
     const StoredTouches& touches;  // of the member
     double bound;                  // m
+    std::span<const Vec2> rest;    // m, of the outline in the straight cord, if it touches itself
   };
   static constexpr std::size_t block = 8;  // neighbouring points or links of an outline that are looked for at once
   /// Boxes of the links of a block, by side, so that all are tested at once. A box that is not set overlaps nothing.
@@ -58,6 +59,7 @@ class CandidateFinder {
   Box swept_aabb_;                     // of the cord whose contacts are looked for, within its bound
   std::vector<Box> outline_boxes_;     // of its outline's points, without the bound
   StoredTouches touches_;              // of that cord
+  std::vector<Vec2> rest_positions_;   // of its outline
   std::vector<LinkBoxes> link_boxes_;  // of all links of cords that may touch cords
   std::vector<Box> block_boxes_;       // around each of these blocks
   std::vector<OutlineLink> links_;

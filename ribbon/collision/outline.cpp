@@ -8,6 +8,7 @@
 namespace ribbon {
 namespace {
 
+constexpr double link_rounding = 1e-9;  // of a link, by which its ends may be off
 constexpr double neighbourhood = 3.0;  // radii: parts of a cord that are nearer than that at rest are neighbours
 
 int outline_points(const CordDef& def) { return def.rows == 1 ? def.points : 2 * (def.points + def.rows - 2); }
@@ -25,6 +26,18 @@ Vec2 rest_position(const CordDef& def, int i) {
   i -= def.rows - 1;
   if (i < n) return {along * (n - 1 - i), def.width};
   return {0.0, def.width - across * (i - n + 1)};
+}
+
+/// Returns whether point k and a link are neighbours, where rest_at(i) is the position of point i, −1 … size + 1.
+template <typename RestAt>
+bool are_neighbours(const CordDef& def, int size, int k, int link, const RestAt& rest_at) {
+  if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
+  if (is_end_of_link(def, k, link)) return true;
+  const double near = neighbourhood * def.radius;
+  const Vec2 point = rest_at(k);
+  const Vec2 a = rest_at(link);
+  const Vec2 b = rest_at(link + 1);
+  return may_be_within(near, point, a, b) && find_separation(point, a, b).distance < near;
 }
 
 /// m, where a point of the cord, by its index, is in the straight cord.
@@ -128,12 +141,26 @@ bool is_end_of_link(const CordDef& def, int k, int link) {
   return k == first || k == (first + 1 < size ? first + 1 : 0);
 }
 
+void list_rest_positions(const CordDef& def, std::vector<Vec2>& positions) {
+  positions.resize(at(outline_points(def)));
+  for (std::size_t k = 0; k < positions.size(); ++k) positions[k] = rest_position(def, static_cast<int>(k));
+}
+
 bool are_neighbours(const CordDef& def, int k, int link) {
-  const int size = outline_points(def);
-  if (def.rows == 1 && (link < 0 || link + 1 >= size)) return false;
-  if (is_end_of_link(def, k, link)) return true;
-  const Separation gap = find_separation(rest_position(def, k), rest_position(def, link), rest_position(def, link + 1));
-  return gap.distance < neighbourhood * def.radius;
+  return are_neighbours(def, outline_points(def), k, link, [&def](int i) { return rest_position(def, i); });
+}
+
+bool are_neighbours(const CordDef& def, std::span<const Vec2> rest, int k, int link) {
+  const int size = static_cast<int>(rest.size());
+  return are_neighbours(def, size, k, link, [&](int i) { return rest[at(i < 0 ? i + size : i >= size ? i - size : i)]; });
+}
+
+bool may_be_neighbours(const CordDef& def, std::span<const Vec2> rest, int k, int link) {
+  const double along = def.length / (def.points - 1);
+  const double across = def.rows > 1 ? def.width / (def.rows - 1) : 0.0;
+  const double near = neighbourhood * def.radius + (1.0 + link_rounding) * std::max(along, across);
+  const Vec2 point = rest[at(k)];
+  return may_be_within(near, point, rest[at(link)], rest[at(link + 1) % rest.size()]);
 }
 
 }  // namespace ribbon

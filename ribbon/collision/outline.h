@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "ribbon/contact/contacts.h"
 #include "ribbon/system/island_state.h"
@@ -24,8 +26,14 @@ inline constexpr int close_links = 6;
 bool are_close(const CordParts& cord, int k, int link);
 /// Returns whether point k is an end of a link, −1 … points. The outline is taken for closed.
 bool is_end_of_link(const CordDef& def, int k, int link);
+/// Returns where the points of the outline are in the straight cord, m.
+void list_rest_positions(const CordDef& def, std::vector<Vec2>& positions);
 /// Returns whether point k and a link are so near each other in the straight cord that contact could not part them.
 bool are_neighbours(const CordDef& def, int k, int link);
+/// Returns the same, with the positions of list_rest_positions().
+bool are_neighbours(const CordDef& def, std::span<const Vec2> rest, int k, int link);
+/// Returns false only if point k is no neighbour of a link or of the links before and behind it.
+bool may_be_neighbours(const CordDef& def, std::span<const Vec2> rest, int k, int link);
 
 /// Returns whether a point or a link of a rope is on the wheel of a pulley, where it touches nothing.
 bool is_on_wheel(const CordParts& cord, int k, bool is_point);

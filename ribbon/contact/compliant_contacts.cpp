@@ -21,7 +21,7 @@ void ContactForces::begin_substep(const ContactPairs& pairs) {
   assign_by_pair(normal, pairs, 0.0);
   assign_by_pair(unlimited_normal, pairs, 0.0);
   assign_by_pair(friction, pairs, 0.0);
-  for (std::size_t k = 0; k < pairs.size(); ++k) normal[k] = pairs[k].touch.force;
+  for (const std::size_t k : pairs.pressed()) normal[k] = pairs[k].touch.force;
 }
 
 double ContactForces::energy(const ContactPairs& pairs) const {
@@ -36,7 +36,7 @@ void CompliantContacts::begin_substep(const ContactPairs& pairs, const ContactFo
   normal_rows_.reserve(pairs.capacity());
   frictions_.reserve(pairs.capacity());
   assign_by_pair(is_sticking_, pairs, '\0');
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (const std::size_t k : pairs.pressed()) {
     const double force = pairs[k].friction_stiffness() * std::abs(pairs[k].touch.stuck);
     is_sticking_[k] = force < sticking_fraction * pairs[k].friction * forces.normal[k] ? 1 : 0;
   }
@@ -204,16 +204,18 @@ bool CompliantContacts::are_settled(const ContactState& state, const ContactForc
 }
 
 void CompliantContacts::store(const ContactState& state, std::span<const double> normal_forces, ContactPairs& pairs) {
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (const std::size_t k : pairs.pressed()) {
     pairs[k].touch.force = 0.0;
     if (!state.active.is_active(k)) pairs[k].touch.stuck = 0.0;
   }
+  pairs.clear_pressed();
   const AnchorState anchors = state.anchors();
   for (const ActiveContact& contact : state.active.all()) {
     ContactPair& pair = pairs[contact.pair];
     Touch& touch = pair.touch;
     const SlotRow tangent = tangent_row(anchors, pair, contact.gap);
     const double elongation = state.reference.elongation(anchors, pair, contact.gap, tangent);
+    pairs.add_pressed(contact.pair);
     touch.force =
         normal_forces.empty() ? pair.stiffness * pairs.depth(contact.pair, contact.gap) : normal_forces[contact.pair];
     const double limit = pair.friction * touch.force / pair.friction_stiffness();

@@ -15,12 +15,15 @@ constexpr double max_overlap_fraction = 0.95;
 void ContactPairs::clear() {
   pairs_.clear();
   geometries_.clear();
+  pressed_.clear();
 }
 
 void ContactPairs::add(const ContactPair& pair, double cord_radius) {
   if (pairs_.empty()) pairs_.reserve(initial_pairs);
   pairs_.push_back(pair);
   geometries_.reserve(pairs_.capacity());
+  pressed_.reserve(pairs_.capacity());
+  if (pair.touch.force != 0.0 || pair.touch.stuck != 0.0) pressed_.push_back(pairs_.size() - 1);
   const double overlap =
       std::clamp(1.0 - cord_radius / pair.contact_distance, min_overlap_fraction, max_overlap_fraction);
   geometries_.push_back(

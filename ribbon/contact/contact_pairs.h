@@ -64,6 +64,11 @@ class ContactPairs {
   const ContactPair& operator[](std::size_t k) const { return pairs_[k]; }
   std::span<const PairGeometry> geometries() const { return geometries_; }
   const PairGeometry& geometry(std::size_t k) const { return geometries_[k]; }
+  /// Indices of the pairs whose stored force or friction is not 0, ascending: few of all.
+  std::span<const std::size_t> pressed() const { return pressed_; }
+  /// Call these when stored forces have changed.
+  void clear_pressed() { pressed_.clear(); }
+  void add_pressed(std::size_t k) { pressed_.push_back(k); }
   /// Returns the least contact distance of all pairs, m; 0 if there is none.
   double min_contact_distance() const;
 
@@ -79,6 +84,7 @@ class ContactPairs {
  private:
   std::vector<ContactPair> pairs_;
   std::vector<PairGeometry> geometries_;
+  std::vector<std::size_t> pressed_;
   double depenetration_fraction_ = 0.0;
 };
 

@@ -1,6 +1,7 @@
 #include "ribbon/contact/contact_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ribbon/linear/reserve_more.h"
@@ -73,6 +74,11 @@ Separation ContactSweep::gap_at(const ContactPair& pair, double fraction, std::s
     positions[at(anchor)] = from_[at(anchor)] + fraction * (to_[at(anchor)] - from_[at(anchor)]);
   }
   return separation_of(pair, positions[at(pair.disc)], positions[at(pair.a)], positions[at(pair.b)]);
+}
+
+bool ContactSweep::may_end_within(const PairGeometry& pair, double distance) const {
+  const auto end = [this](int anchor) { return from_[at(anchor)] + 1.0 * (to_[at(anchor)] - from_[at(anchor)]); };
+  return may_be_within(distance, end(pair.disc), end(pair.a), end(pair.b));
 }
 
 double ContactSweep::collision_free_fraction(ContactScene& scene, std::span<const Vec2> x, std::span<const Vec2> to,
@@ -148,11 +154,16 @@ bool ContactSweep::limit_groups(ContactScene& scene, std::span<const int> group_
   bool are_separate = true;
   for (const std::size_t k : scene.candidates.pairs_to_check()) {
     const PairGeometry& pair = scene.pairs.geometry(k);
-    const double free = free_fraction(pair, {pair.overlap_fraction, separated_of_start}, 1.0);
-    if (free == 1.0) continue;
+    const std::array<int, 3> groups = {scene.anchors.group(pair.disc, group_of),
+                                       scene.anchors.group(pair.a, group_of), scene.anchors.group(pair.b, group_of)};
+    // Where all of its groups are limited already, a pair only counts if it limits them further.
+    double limit = 0.0;
+    for (const int g : groups) limit = std::max(limit, g >= 0 ? group_limits_[at(g)] : 0.0);
+    if (limit == 0.0) limit = 1.0;
+    const double free = free_fraction(pair, {pair.overlap_fraction, separated_of_start}, limit);
+    if (free == limit) continue;
     are_separate = false;
-    for (const int anchor : {pair.disc, pair.a, pair.b}) {
-      const int g = scene.anchors.group(anchor, group_of);
+    for (const int g : groups) {
       if (g >= 0) group_limits_[at(g)] = std::min(group_limits_[at(g)], is_last ? 0.0 : free);
     }
   }

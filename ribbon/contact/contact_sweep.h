@@ -36,6 +36,9 @@ class ContactSweep {
   double free_fraction(const PairGeometry& pair, Clearance clearance, double max) const;
   /// Sets the positions [m] of the pair's anchors to those at this fraction of the path. Returns the separation there.
   Separation gap_at(const ContactPair& pair, double fraction, std::span<Vec2> positions) const;
+  /// Returns false only if the pair is further apart than `distance` [m] at the end of the path. Cheaper than the
+  /// separation there.
+  bool may_end_within(const PairGeometry& pair, double distance) const;
 
   /// Returns the largest fraction of the path from x to `to` that is collision-free: no pair comes nearer than nine
   /// tenths of its contact distance, or, if it is nearer already, by more than two hundredths of its distance.

@@ -40,12 +40,14 @@ bool LinearisedContacts::find(ContactScene& scene, const ContactSweep& sweep, co
 void LinearisedContacts::find_pair(const ContactScene& scene, const ContactSweep& sweep, std::size_t k) {
   const PairGeometry& geometry = scene.pairs.geometry(k);
   const ContactPair& pair = scene.pairs[k];
+  const double near = (1.0 + linearising_margin) * pair.contact_distance;
   double fraction = 1.0;
   if (sweep.free_fraction(geometry, Clearance::passing(), 1.0) < 1.0) {
     fraction = sweep.free_fraction(geometry, Clearance::collision_free(), 1.0);
   }
+  if (fraction == 1.0 && !sweep.may_end_within(geometry, near)) return;
   const Separation gap = sweep.gap_at(pair, fraction, positions_);
-  if (fraction == 1.0 && !(gap.distance < (1.0 + linearising_margin) * pair.contact_distance)) return;
+  if (fraction == 1.0 && !(gap.distance < near)) return;
   if (is_local_minimum(pair, gap, positions_)) contacts_.push_back({k, gap});
 }
 
@@ -62,6 +64,7 @@ bool LinearisedContacts::find_missed(ContactScene& scene, const ContactSweep& sw
       contacts_.push_back({k, sweep.gap_at(pair, fraction, positions_)});
       continue;
     }
+    if (!sweep.may_end_within(geometry, pair.contact_distance)) continue;
     const Separation gap = sweep.gap_at(pair, 1.0, positions_);
     const double explained = forces.normal[k] / (stiffness_ratio_ * pair.stiffness);
     const bool is_deep = scene.pairs.depth(k, gap) > explained + tolerance;
