@@ -1,6 +1,7 @@
 #include "ribbon/contact/contact_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ribbon {
@@ -23,7 +24,10 @@ void ContactPairs::add(const ContactPair& pair, double cord_radius) {
   pairs_.push_back(pair);
   geometries_.reserve(pairs_.capacity());
   pressed_.reserve(pairs_.capacity());
-  if (pair.touch.force != 0.0 || pair.touch.stuck != 0.0) pressed_.push_back(pairs_.size() - 1);
+  // A stuck friction of −0 too: it ends as 0.
+  if (pair.touch.force != 0.0 || pair.touch.stuck != 0.0 || std::signbit(pair.touch.stuck)) {
+    pressed_.push_back(pairs_.size() - 1);
+  }
   const double overlap =
       std::clamp(1.0 - cord_radius / pair.contact_distance, min_overlap_fraction, max_overlap_fraction);
   geometries_.push_back(

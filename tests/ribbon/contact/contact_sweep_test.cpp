@@ -134,5 +134,53 @@ TEST(ContactSweep, WhatHasToStopStopsWhatComesBehind) {
   for (int k = 0; k < moving; ++k) EXPECT_LT(end(k), end(k + 1)) << k;
 }
 
+TEST(ContactSweep, NoPairThatEndsNearIsOverlooked) {
+  Dice dice(7);
+  Scene scene(dice);
+  int near = 0;
+  int left_out = 0;
+  for (int step = 0; step < 50; ++step) {
+    const std::vector<Vec2> to = scene.displaced(dice, 0.3);
+    ContactSweep sweep;
+    sweep.reserve(scene.x.size(), scene.x.size());
+    sweep.set_path(scene.contacts, scene.x, to);
+    for (std::size_t k = 0; k < scene.contacts.pairs.size(); ++k) {
+      const double distance = Scene::distance(scene.contacts.pairs[k], to);
+      near += distance < 0.5 ? 1 : 0;
+      if (sweep.may_end_within(scene.contacts.pairs.geometry(k), 0.5)) continue;
+      ++left_out;
+      EXPECT_GT(distance, 0.5 - 1e-12) << step << ", pair " << k;
+    }
+    scene.x = to;
+  }
+  EXPECT_GT(near, 200);
+  EXPECT_GT(left_out, 10'000);
+}
+
+/// All pairs that a group is part of limit it, also those that are looked at when it is limited already.
+TEST(ContactSweep, TheNearestPairLimitsItsGroups) {
+  Dice dice(8);
+  for (int run = 0; run < 100; ++run) {
+    Scene scene(dice);
+    const std::vector<Vec2> to = scene.displaced(dice, 1.0);
+    std::vector<int> groups(scene.x.size());
+    for (int& group : groups) group = static_cast<int>(dice(0.0, 3.0));
+    std::vector<double> fractions(3, 1.0);
+    ContactSweep sweep;
+    sweep.reserve(scene.x.size(), scene.x.size());
+    sweep.separate_groups(scene.contacts, scene.x, to, groups, fractions);
+    std::vector<Vec2> end(scene.x.size());
+    for (std::size_t p = 0; p < end.size(); ++p) {
+      end[p] = scene.x[p] + fractions[Scene::at(groups[p])] * (to[p] - scene.x[p]);
+    }
+    for (std::size_t k = 0; k < scene.contacts.pairs.size(); ++k) {
+      const ContactPair& pair = scene.contacts.pairs[k];
+      const double start = Scene::distance(pair, scene.x);
+      const double least = scene.contacts.pairs.geometry(k).overlap_fraction * pair.contact_distance;
+      EXPECT_GE(Scene::distance(pair, end), 0.99 * std::min(start, least)) << run << ", pair " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ribbon
