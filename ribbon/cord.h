@@ -157,7 +157,8 @@ class Cord {
     std::vector<Holder> holders;     ///< see Cord::holders
     std::vector<Touch> touches;      ///< see Cord::touches
     bool touch_changed = false;      ///< a contact began or ended in the last step
-    /// Share of its unexplained penetrations that the next step removes, above 0, at most 1.
+    /// Share of its unexplained penetrations that the next step removes, and of what it draws hands that are beside it
+    /// back by, above 0, at most 1. It is less after steps that were taken back.
     double depenetration_share = 1.0;
     /// 1 after a step in which Newton's method has failed; 2 to 16 if it is left out in the next 1 to 15 steps.
     int newton_pause = 0;

@@ -16,7 +16,7 @@ namespace {
 
 // Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
 constexpr double max_regainable = 2e-3;           // of a smooth motion, whose integration sways about the exact energy
-constexpr double max_regainable_touching = 7e-4;  // where a contact begins, a gain is not smooth
+constexpr double max_regainable_touching = 7e-4;  // where a contact begins, or a grip slips past a bend, no gain is smooth
 constexpr double max_total_gain = 5e-7;           // a cord may have gained so much in all,
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
@@ -63,6 +63,11 @@ bool is_moved_by_wheel(const IslandState& state, std::size_t point) {
 
 /// Returns an upper bound, J, for the work that is done in a substep, as far as it is known.
 double max_known_work(const IslandState& state) { return grip_work(state) + wheel_work(state) + max_drag_work(state); }
+
+bool is_smooth(const IslandState& state, const Contacts& contacts) {
+  return contacts.empty() && std::none_of(state.held.begin(), state.held.end(),
+                                          [](const HeldBody& held) { return held.slip_sign != 0.0; });
+}
 
 /// Adds the pushes to the velocities.
 void add_pushes(IslandState& state, double factor) {
@@ -231,7 +236,7 @@ bool EnergyGuard::is_gain(const IslandState& state, const Contacts& contacts, co
                           double tolerated) const {
   const double share = tolerated * scale(before);
   double allowed = regainable_ + share;
-  if (!contacts.empty() && regainable_ > 0.0) {
+  if (!is_smooth(state, contacts) && regainable_ > 0.0) {
     allowed = std::max(std::min(regainable_, max_regainable_touching * scale(before)), share);
   }
   const double gain = after_.total() - before.total();
@@ -261,7 +266,7 @@ void EnergyGuard::account(IslandState& state, const Contacts& contacts, const En
   const double scene = scale(before);
   const double lost = before.total() - after_.total();
   const double unexplained = lost < 0.0 ? std::min(0.0, lost + max_known_work(state)) : lost;
-  const double most = contacts.empty() ? max_regainable : max_regainable_touching;
+  const double most = is_smooth(state, contacts) ? max_regainable : max_regainable_touching;
   regainable_ = std::clamp(kept + unexplained, -tolerated_gain * scene, most * scene);
   if (contacts.impacts.any() && unexplained < 0.0) return;  // what comes out of a deep penetration may gain
   drift_ += unexplained;

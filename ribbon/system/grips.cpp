@@ -15,7 +15,7 @@ constexpr double max_draw = 0.25;    // of a link, by which a step draws a point
 constexpr double min_travel = 1e-3;  // of a link, above which the displacement of an anchor counts as work
 
 /// The arm begins where the cord is, so that nothing jumps. It ends at the anchor, or as much nearer to it as a step
-/// may draw a point.
+/// may draw a point: less, if steps before it were taken back, which otherwise would hang.
 HeldBody make_grip(const IslandState& state, const Member& member, std::size_t index) {
   const Grip& grip = member.surroundings.grips[index];
   const RigidBody& body = state.rigid[at(grip.body)];
@@ -37,7 +37,7 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   if (grip.along > 0.0 || (held.may_slip() && column + 1 < def.points)) held.next += at(def.rows);
   held.arm = held.hold(state.positions) - body.position;
   const Vec2 off = grip.offset - held.arm;
-  const double max_off = max_draw * link;
+  const double max_off = member.cord->state.depenetration_share * max_draw * link;
   held.travel = grip.travel + (length(off) > max_off ? (max_off / length(off)) * off : off);
   // What brings a grip back that has slipped past a bend, or was pushed off its cord, is not its own work.
   const Vec2 own_travel = held.may_slip() || held.returns ? grip.travel : held.travel;

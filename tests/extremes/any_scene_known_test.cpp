@@ -49,6 +49,8 @@ const Known scenes[] = {
     {"WhatIsNotSolvedMovesOn", gentle(Family::grips_slip, 2036, Preset::accurate), "unconverged substeps", unconverged,
      30},
     {"WhatIsNotStoppedMovesOn", gentle(Family::grips_slip, 365, Preset::accurate), "ticks that hang", hanging, 10},
+    {"HandsThatCannotBeDrawnAreDrawnLess", gentle(Family::grips_slip, 877, Preset::accurate), "ticks that hang", hanging,
+     10},
     {"WhatWouldStopIsTruncated", gentle(Family::ropes_both, 402, Preset::fast), "unconverged substeps", unconverged,
      30},
     {"TruncatedSolvesBeginWithoutImpossibleTensions", gentle(Family::ropes_both, 269, Preset::accurate),
