@@ -9,7 +9,7 @@ namespace ribbon {
 namespace {
 
 constexpr double link_rounding = 1e-9;  // of a link, by which its ends may be off
-constexpr double neighbourhood = 3.0;  // radii: parts of a cord that are nearer than that at rest are neighbours
+constexpr double neighbourhood = 3.0;   // radii: parts of a cord that are nearer than that at rest are neighbours
 
 int outline_points(const CordDef& def) { return def.rows == 1 ? def.points : 2 * (def.points + def.rows - 2); }
 
@@ -152,7 +152,9 @@ bool are_neighbours(const CordDef& def, int k, int link) {
 
 bool are_neighbours(const CordDef& def, std::span<const Vec2> rest, int k, int link) {
   const int size = static_cast<int>(rest.size());
-  return are_neighbours(def, size, k, link, [&](int i) { return rest[at(i < 0 ? i + size : i >= size ? i - size : i)]; });
+  return are_neighbours(def, size, k, link, [&](int i) {
+    return rest[at(i < 0 ? i + size : i >= size ? i - size : i)];
+  });
 }
 
 bool may_be_neighbours(const CordDef& def, std::span<const Vec2> rest, int k, int link) {

@@ -154,8 +154,8 @@ bool ContactSweep::limit_groups(ContactScene& scene, std::span<const int> group_
   bool are_separate = true;
   for (const std::size_t k : scene.candidates.pairs_to_check()) {
     const PairGeometry& pair = scene.pairs.geometry(k);
-    const std::array<int, 3> groups = {scene.anchors.group(pair.disc, group_of),
-                                       scene.anchors.group(pair.a, group_of), scene.anchors.group(pair.b, group_of)};
+    const std::array<int, 3> groups = {scene.anchors.group(pair.disc, group_of), scene.anchors.group(pair.a, group_of),
+                                       scene.anchors.group(pair.b, group_of)};
     // Where all of its groups are limited already, a pair only counts if it limits them further.
     double limit = 0.0;
     for (const int g : groups) limit = std::max(limit, g >= 0 ? group_limits_[at(g)] : 0.0);

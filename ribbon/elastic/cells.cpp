@@ -13,6 +13,7 @@ constexpr double min_spread = 1e-6;             // |z| below which z has no dire
 constexpr double min_stiffness_spread = 0.05;   // |z| below which the geometric stiffness does not grow any more
 constexpr double min_area_ratio = 0.2;          // α: area over rest area, below which a corner resists compression
 constexpr double recovered_area_ratio = 0.9;    // the same, which all corners of an unlocked cell must reach
+constexpr double shallow_inversion = 0.01;      // the same, negative, that a cell may recover from by itself
 constexpr double unlocked_hourglass = 10.0;     // hourglass stiffness of an unlocked cell, as a multiple of E
 constexpr std::ptrdiff_t averaged_columns = 3;  // on each side of an unlocked cell, whose mean direction it takes
 
@@ -35,6 +36,12 @@ Corners corner_area_gradient(const Corners& x, std::size_t c) {
   gradient[side] -= half_across;
   gradient[side + 1] += half_across;
   return gradient;
+}
+
+/// Returns twice the smallest area of the corner triangles, m².
+double smallest_corner(const Corners& x) {
+  const std::array<double, 4> doubled = doubled_corner_areas(x);
+  return *std::min_element(doubled.begin(), doubled.end());
 }
 
 }  // namespace
@@ -328,14 +335,27 @@ bool Cells::unlock(std::span<const Vec2> x) {
   return any_unlocked_;
 }
 
+void Cells::lock() {
+  any_unlocked_ = false;
+  std::fill(unlocked_.begin(), unlocked_.end(), 0);
+}
+
+bool Cells::has_deep_inversion(std::span<const Vec2> x) const {
+  for (std::size_t i = 0; area_stiffness_ > 0.0 && i < columns_; ++i) {
+    for (std::size_t j = 0; j < rows_; ++j) {
+      if (smallest_corner(corners(x, i, j)) <= -shallow_inversion * shapes_[i].area) return true;
+    }
+  }
+  return false;
+}
+
 /// Unlocks cells with an inverted corner, and keeps cells unlocked until all their corners have recovered. Returns
 /// whether any is unlocked.
 bool Cells::find_unlocked(std::span<const Vec2> x) {
   bool any = false;
   for (std::size_t i = 0; i < columns_; ++i) {
     for (std::size_t j = 0; j < rows_; ++j) {
-      const std::array<double, 4> doubled = doubled_corner_areas(corners(x, i, j));
-      const double smallest = *std::min_element(doubled.begin(), doubled.end());
+      const double smallest = smallest_corner(corners(x, i, j));
       char& unlocked = unlocked_[i * rows_ + j];
       unlocked = smallest <= 0.0 || (unlocked != 0 && smallest <= recovered_area_ratio * shapes_[i].area) ? 1 : 0;
       any = any || unlocked != 0;

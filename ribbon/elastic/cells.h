@@ -34,6 +34,8 @@ class Cells final : public Term {
   Vec2 section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override { return unlocked_; }
+  void lock() override;
+  bool has_deep_inversion(std::span<const Vec2> x) const override;
 
  private:
   std::size_t point(std::size_t column, std::size_t row) const { return column * (rows_ + 1) + row; }

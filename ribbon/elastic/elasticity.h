@@ -120,6 +120,10 @@ class Elasticity {
   /// Returns 1 for each cell that is being turned back, 0 for others: state from step to step. Empty without such
   /// cells.
   virtual std::span<char> unlocked() { return {}; }
+  /// Takes unlock() back: the cells keep their own energy in this step.
+  virtual void lock() {}
+  /// Returns whether a cell is inverted so deeply that it may not turn back by itself.
+  virtual bool has_deep_inversion(std::span<const Vec2> /*x*/) const { return false; }
 };
 
 }  // namespace ribbon

@@ -250,6 +250,14 @@ bool Lattice::unlock(std::span<const Vec2> x) {
   return any;
 }
 
+void Lattice::lock() {
+  for (const auto& term : terms_) term->lock();
+}
+
+bool Lattice::has_deep_inversion(std::span<const Vec2> x) const {
+  return std::any_of(terms_.begin(), terms_.end(), [x](const auto& term) { return term->has_deep_inversion(x); });
+}
+
 std::span<char> Lattice::unlocked() {
   for (const auto& term : terms_) {
     if (!term->unlocked().empty()) return term->unlocked();

@@ -41,6 +41,8 @@ class Lattice final : public Elasticity {
   Vec2 section_force(std::size_t link, const Motion& motion, std::span<const double> tensions) const override;
   bool unlock(std::span<const Vec2> x) override;
   std::span<char> unlocked() override;
+  void lock() override;
+  bool has_deep_inversion(std::span<const Vec2> x) const override;
 
  private:
   /// Calls visit(term, first, count) for each term, which has the tensions first … first + count − 1.

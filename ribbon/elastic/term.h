@@ -102,6 +102,8 @@ class Term {
   }
   virtual bool unlock(std::span<const Vec2> /*x*/) { return false; }
   virtual std::span<char> unlocked() { return {}; }
+  virtual void lock() {}
+  virtual bool has_deep_inversion(std::span<const Vec2> /*x*/) const { return false; }
 };
 
 }  // namespace ribbon

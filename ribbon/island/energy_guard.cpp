@@ -15,9 +15,10 @@ namespace ribbon {
 namespace {
 
 // Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
-constexpr double max_regainable = 2e-3;           // of a smooth motion, whose integration sways about the exact energy
-constexpr double max_regainable_touching = 7e-4;  // where a contact begins, or a grip slips past a bend, no gain is smooth
-constexpr double max_total_gain = 5e-7;           // a cord may have gained so much in all,
+constexpr double max_regainable = 2e-3;  // of a smooth motion, whose integration sways about the exact energy
+constexpr double max_regainable_touching =
+    7e-4;                                // where a contact begins, or a grip slips past a bend, no gain is smooth
+constexpr double max_total_gain = 5e-7;  // a cord may have gained so much in all,
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
 constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step
@@ -65,8 +66,8 @@ bool is_moved_by_wheel(const IslandState& state, std::size_t point) {
 double max_known_work(const IslandState& state) { return grip_work(state) + wheel_work(state) + max_drag_work(state); }
 
 bool is_smooth(const IslandState& state, const Contacts& contacts) {
-  return contacts.empty() && std::none_of(state.held.begin(), state.held.end(),
-                                          [](const HeldBody& held) { return held.slip_sign != 0.0; });
+  return contacts.empty() &&
+         std::none_of(state.held.begin(), state.held.end(), [](const HeldBody& held) { return held.slip_sign != 0.0; });
 }
 
 /// Adds the pushes to the velocities.
@@ -245,10 +246,12 @@ bool EnergyGuard::is_gain(const IslandState& state, const Contacts& contacts, co
   return !(state.in_medium && gain <= known + max_medium_work(state));
 }
 
-void EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
-  if (!gained_energy(state, contacts, before, tolerated_gain)) return;
-  slow_down(state, std::max(0.0, after_.total() - before.total()));
+double EnergyGuard::remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before) {
+  if (!gained_energy(state, contacts, before, tolerated_gain)) return 0.0;
+  const double gain = std::max(0.0, after_.total() - before.total());
+  slow_down(state, gain);
   discard_measurement();
+  return std::max(0.0, gain - after_.kinetic) / scale(before);
 }
 
 void EnergyGuard::remove_spurious_motion(IslandState& state, Contacts& contacts, const Energy& before) {

@@ -53,8 +53,8 @@ class EnergyGuard {
   /// Returns false while something drives the island.
   bool gained_energy(IslandState& state, Contacts& contacts, const Energy& before, double tolerated);
   /// The last resort for a substep that is not solved, or in which Newton's method turned cells back: takes the energy
-  /// that came from nowhere out of the velocities.
-  void remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);
+  /// that came from nowhere out of the velocities. Returns what they do not have, as a share of the scene's energy.
+  double remove_spurious_energy(IslandState& state, Contacts& contacts, const Energy& before);
   /// The same for a solved substep of implicit Euler, which may gain where contacts begin. It takes out no more than
   /// the motion has gained: what the tolerance leaves as tension in a stiff cord, implicit Euler damps by itself. It
   /// takes what gained_energy() has measured last.
@@ -74,9 +74,9 @@ class EnergyGuard {
   double weight_scale_ = 0.0;  // J, M·g·L, and so for loads
   Energy after_;
   bool is_measured_ = false;  // after_ is the energy of the state
-  double unpushed_ = 0.0;    // J, at the start of the step, with pushed bodies where they were pushed
-  double known_work_ = 0.0;  // J, in the step so far, if something was pushed
-  bool was_pushed_ = false;  // in the step: something changed the energy by an amount that is not known
+  double unpushed_ = 0.0;     // J, at the start of the step, with pushed bodies where they were pushed
+  double known_work_ = 0.0;   // J, in the step so far, if something was pushed
+  bool was_pushed_ = false;   // in the step: something changed the energy by an amount that is not known
 };
 
 }  // namespace ribbon

@@ -44,6 +44,21 @@ bool pauses_newton(std::span<const IslandCord> cords, std::span<const TiedPoint>
                                      [](const IslandCord& cord) { return cord.cord->parts().state.newton_pause > 1; });
 }
 
+/// How inverted cells are turned back.
+enum class Turning { tried, left_out, at_any_cost };
+
+/// Leaves cells as they are.
+void leave_cells(IslandState& state) {
+  for (const Member& member : state.members) member.cord->elasticity->lock();
+  state.unlocking = false;
+}
+
+bool has_deep_inversion(const IslandState& state) {
+  return std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
+    return member.cord->elasticity->has_deep_inversion(IslandState::points_of(member, state.positions));
+  });
+}
+
 }  // namespace
 
 /// A step in which something leaves its motion bound is redone with a larger one. One with tied points apart, in which
@@ -51,7 +66,8 @@ bool pauses_newton(std::span<const IslandCord> cords, std::span<const TiedPoint>
 /// their ties. A step in which a substep does not converge is redone with contacts that are linearised once, and with
 /// these ties again, unless they stretch a cord. In heaps, that solve is truncated. Where it leaves a cord
 /// stretched that nothing drives, and the budget is large, the step is taken by halves after all, and what they do not
-/// solve is kept.
+/// solve is kept. If turning inverted cells back gains much energy, they are left as they are, unless they are deeply
+/// inverted then.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -74,13 +90,21 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   int settled = 0;
   bool keeps_unsolved = false;
   bool linearised = pausing_newton_;
+  Turning turning = Turning::tried;
   for (;;) {
     begin_attempt(cords, tied, apart);
+    if (turning == Turning::left_out) leave_cells(state_);
+    state_.turned_at_any_cost = turning == Turning::at_any_cost;
     state_.keeps_unsolved = keeps_unsolved;
     state_.turning_cells = state_.unlocking && !linearised && !truncates(linearised);
     const bool solved = take_substeps(linearised);
     if (state_.ties.apart && (!solved || is_stretched_by_step(state_))) {
       apart = state_.ties.closing ? ApartTies::kept : ApartTies::released;
+    } else if (!solved && state_.turning_gained) {
+      turning = Turning::left_out;
+    } else if (solved && turning == Turning::left_out && has_deep_inversion(state_)) {
+      turning = Turning::at_any_cost;
+      linearised = pausing_newton_;
     } else if (!solved) {
       linearised = true;
       apart = ApartTies::kept;

@@ -61,7 +61,7 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   if (!take_second_order(context, time, dt, before)) {
     if (take_damped(context, time, dt, before)) {
       if (context.state.turning_cells) {
-        context.guard.remove_spurious_energy(context.state, context.contacts, before);
+        if (!end_turning(context, before)) return false;
       } else {
         context.guard.remove_spurious_motion(context.state, context.contacts, before);
       }
@@ -74,6 +74,15 @@ bool Substeps::take(const StepContext& context, double time, double dt, Restitut
   }
   end(context, before, dt, restitution);
   return true;
+}
+
+/// Where cells were turned back, takes out of the motion what that has gained. Returns false if it has gained much
+/// more.
+bool Substeps::end_turning(const StepContext& context, const CordEnergy& before) {
+  IslandState& state = context.state;
+  const double left = context.guard.remove_spurious_energy(state, context.contacts, before);
+  state.turning_gained = left > gross_gain && !state.turned_at_any_cost;
+  return !state.turning_gained;
 }
 
 void Substeps::end(const StepContext& context, const CordEnergy& before, double dt, Restitution& restitution) {

@@ -24,6 +24,7 @@ class Substeps {
     bool solved = true;  // all of its parts
   };
 
+  static bool end_turning(const StepContext& context, const CordEnergy& before);
   bool take_second_order(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool take_damped(const StepContext& context, double time, double dt, const CordEnergy& before);
   bool take_whole(const StepContext& context, double time, double dt, const CordEnergy& before);

@@ -37,9 +37,9 @@ struct Member {
   double last_correction = 0.0;  ///< m, the largest of its points by the last linear solve of a linearised stage
   bool stopped = false;          ///< that stage stopped it to prevent penetration
   bool in_medium = false;        ///< a medium acts on it
-  double pressing_mass = 0.0;    ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts;
-                                 ///< 0 where there can be none
-  double start_strain = 0.0;     ///< largest of its links at the start of the step; 0 unless the island has ties
+  double pressing_mass = 0.0;  ///< kg: cord, its bodies and the heaviest body near it; sets the stiffness of contacts;
+                               ///< 0 where there can be none
+  double start_strain = 0.0;   ///< largest of its links at the start of the step; 0 unless the island has ties
 
   std::size_t end_point() const { return first_point + points; }
   bool has_point(std::size_t slot) const { return slot >= first_point && slot < end_point(); }
@@ -185,12 +185,14 @@ struct IslandState {
   bool overstretched = false;  ///< links of a cord regain their lengths, and no speed by it
   bool unlocking = false;      ///< inverted cells are turned back in this step
   bool turning_cells = false;  ///< … by Newton's method: what that gains is no failure, but is taken out of the motion
-  bool restart = false;        ///< the accelerations are out of date
-  bool jolted = false;         ///< a cord that runs through a groove changes its speed at once
-  bool keeps_unsolved = false;  ///< a part of a substep that is not solved is kept as it is
-  bool touch_changed = false;   ///< a contact began or ended in the last substep
-  bool taken_back = false;      ///< motion was taken back for more than stretched links: energy was gained
-  double now = 0.0;             ///< s, of the positions, since the step began
+  bool turned_at_any_cost = false;  ///< … even if it gains more than is in the motion
+  bool turning_gained = false;      ///< … which it has
+  bool restart = false;             ///< the accelerations are out of date
+  bool jolted = false;              ///< a cord that runs through a groove changes its speed at once
+  bool keeps_unsolved = false;      ///< a part of a substep that is not solved is kept as it is
+  bool touch_changed = false;       ///< a contact began or ended in the last substep
+  bool taken_back = false;          ///< motion was taken back for more than stretched links: energy was gained
+  double now = 0.0;                 ///< s, of the positions, since the step began
   Vec2 frame_velocity;  ///< m/s, of the inertial frame in which all that drives is at rest, so that it does no work
 
   // By slot:

@@ -33,7 +33,7 @@ Accuracy higher(const Accuracy& a, const Accuracy& b) {
 
 void reset(IslandState& state) {
   state.overstretched = state.coupled = state.driven = state.in_medium = state.reeling = state.unlocking =
-      state.restart = state.jolted = state.keeps_unsolved = state.taken_back = false;
+      state.restart = state.jolted = state.keeps_unsolved = state.taken_back = state.turning_gained = false;
   state.members.clear();
   state.bodies.clear();
   state.held.clear();

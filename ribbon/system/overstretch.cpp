@@ -45,7 +45,8 @@ double regained_length(const CordParts& cord) {
   const std::vector<double>& rest = cord.is_overstretched() ? cord.own_rest_start : cord.state.rest;
   double sum = 0.0;
   for (std::size_t link = 0; link < rest.size(); ++link) {
-    if (const Vec2 along = vector_of(cord, link); is_overstretched(along, rest[link])) sum += length(along) - rest[link];
+    if (const Vec2 along = vector_of(cord, link); is_overstretched(along, rest[link]))
+      sum += length(along) - rest[link];
   }
   return regained_share * sum;
 }

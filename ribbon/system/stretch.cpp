@@ -56,9 +56,8 @@ double largest_strain(const IslandState& state, std::span<const Vec2> x) {
 }
 
 bool became_stretched(const IslandState& state, double strain) {
-  const bool any = std::any_of(state.members.begin(), state.members.end(), [&](const Member& member) {
-    return may_exceed(strain, member, state.positions);
-  });
+  const bool any = std::any_of(state.members.begin(), state.members.end(),
+                               [&](const Member& member) { return may_exceed(strain, member, state.positions); });
   if (!any) return false;
   const double now = largest_strain(state, state.positions);
   return now > strain && now > largest_strain(state, state.start.positions);

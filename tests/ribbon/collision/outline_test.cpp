@@ -43,7 +43,8 @@ TEST(Outline, ListedRestPositionsGiveTheSameNeighbours) {
       for (const int near : {link - 1, link, link + 1}) {
         const bool are = are_neighbours(def, k, near);
         ++(are ? neighbours : others);
-        EXPECT_EQ(are_neighbours(def, rest, k, near), are) << def.points << " × " << def.rows << ": " << k << ", " << near;
+        EXPECT_EQ(are_neighbours(def, rest, k, near), are)
+            << def.points << " × " << def.rows << ": " << k << ", " << near;
       }
     });
   }
