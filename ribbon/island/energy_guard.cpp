@@ -15,10 +15,9 @@ namespace ribbon {
 namespace {
 
 // Shares of the scene's energy, which is M·g·L, or the kinetic and elastic energy if that is larger:
-constexpr double max_regainable = 2e-3;  // of a smooth motion, whose integration sways about the exact energy
-constexpr double max_regainable_touching =
-    7e-4;                                // where a contact begins, or a grip slips past a bend, no gain is smooth
-constexpr double max_total_gain = 5e-7;  // a cord may have gained so much in all,
+constexpr double max_regainable = 2e-3;           // of a smooth motion, whose integration sways about the exact energy
+constexpr double max_regainable_touching = 7e-4;  // where a contact begins, or a grip slips, no gain is smooth
+constexpr double max_total_gain = 5e-7;           // a cord may have gained so much in all,
 constexpr double max_gain_rate = 1e-8;  // and more as long as a substep adds no more than this, as a smooth motion does
 constexpr double regainable_decay = 0.9;    // of what may be regained, in a substep
 constexpr double noise_displacement = 0.1;  // tolerances that a point at rest may move in a step

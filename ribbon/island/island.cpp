@@ -243,11 +243,11 @@ void Island::resize(std::size_t slots, std::size_t tensions) {
   state_.resize(slots, tensions);
   const Sizes sizes{slots, tensions, state_.held.size()};
   if (sizes == sizes_) return;
-  sizes_ = sizes;
   stages_.resize(slots, tensions, state_.held.size());
   substeps_.resize(slots, tensions);
   linearised_step_.resize(slots, tensions);
   restitution_.resize(slots);
+  sizes_ = sizes;  // last, in case memory runs out before
 }
 
 void Island::reserve(const CordParts& cord, std::size_t grips) {

@@ -52,18 +52,20 @@ void IslandState::place_gaps(double time) {
   }
 }
 
+/// The two sizes that are asked for are those of the arrays that are resized last, in case memory runs out before.
 void IslandState::resize(std::size_t slots, std::size_t tension_count) {
   if (in_medium) medium_forces.resize(slots);
   if (positions.size() == slots && tensions.size() == tension_count) return;  // so are all the others
-  for (auto* all : {&positions, &velocities, &accelerations, &free_accelerations, &drive_starts, &drive_velocities,
+  for (auto* all : {&velocities, &accelerations, &free_accelerations, &drive_starts, &drive_velocities,
                     &start.positions, &start.velocities}) {
     all->resize(slots);
   }
   reserve_more(pushes, slots);
   masses.resize(slots);
   constrained.resize(slots);
-  tensions.resize(tension_count);
   start.tensions.resize(tension_count);
+  tensions.resize(tension_count);
+  positions.resize(slots);
 }
 
 void IslandState::begin_substep(double time, double substep_dt) {
