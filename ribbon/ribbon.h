@@ -7,6 +7,7 @@
 #include "ribbon/cord.h"
 #include "ribbon/cord_def.h"
 #include "ribbon/cord_forces.h"
+#include "ribbon/cord_line.h"
 #include "ribbon/cord_sweep.h"
 #include "ribbon/cut.h"
 #include "ribbon/definition.h"

@@ -64,6 +64,7 @@ void check_surface(const Entry& entry, double friction, double restitution, doub
 void check_grip(const Entry& entry, const Grip& grip) {
   entry.check("offset", grip.offset);
   entry.check("travel", grip.travel);
+  entry.check("beside", grip.beside);
   entry.check("along", grip.along, 0.0, 1.0);
   entry.check("across", grip.across, 1.0);
   entry.check("climb", grip.climb, -max_component, max_component);

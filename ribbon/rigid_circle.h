@@ -88,6 +88,9 @@ struct Grip {
   /// Direction in which a slipping grip is held, a unit vector, while its anchor passes a point of the cord. Zero, the
   /// default, means perpendicular to the link.
   Vec2 across{};
+  /// m, from the anchor that the step draws the cord to, to the body's own, which is beside the cord and to which later
+  /// steps draw it; in world directions.
+  Vec2 beside{};
 };
 
 /// A place where something keeps a body that holds or touches a cord from moving: the ground, or another body that

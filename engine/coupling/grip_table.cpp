@@ -213,6 +213,7 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
     grip.along = place.along;
     grip.climb = climb_in_tick(held, cord, dt);
     grip.returns = held.blocked;
+    grip.beside = anchor - offset;
     grip.across = grip.climb == 0.0 ? place.across : Vec2{};
     if (!place.sticks) grip.strength = held.strength;
     cord.grips.push_back(grip);

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 12;
+inline constexpr int solver_step_version = 13;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -236,7 +236,7 @@ void fields(Archive& archive, T& segment) {
 
 template <typename Archive, Is<ribbon::Grip> T>
 void fields(Archive& archive, T& grip) {
-  auto& [point, body, offset, travel, along, climb, strength, returns, across] = grip;
+  auto& [point, body, offset, travel, along, climb, strength, returns, across, beside] = grip;
   archive("point", point);
   archive("body", body);
   archive("offset", offset);
@@ -246,6 +246,7 @@ void fields(Archive& archive, T& grip) {
   archive("strength", strength);
   archive("returns", returns);
   archive("across", across);
+  archive("beside", beside);
 }
 
 template <typename Archive, Is<ribbon::Support> T>

@@ -5,6 +5,7 @@
 
 #include "ribbon/island/sleep.h"
 #include "ribbon/linear/index.h"
+#include "ribbon/system/grips.h"
 #include "ribbon/system/load_cords.h"
 #include "ribbon/system/store_cords.h"
 #include "ribbon/system/stretch.h"
@@ -168,6 +169,7 @@ bool Island::take_substeps(bool linearised) {
   if (truncated) return false;
   const double dt = state_.dt / state_.accuracy.substeps;
   for (int n = 0; n < state_.accuracy.substeps; ++n) {
+    if (n > 0 && follow_slips(state_)) stages_.discard_pattern();
     if (!substeps_.take(context(), n * dt, dt, restitution_)) return false;
   }
   return true;

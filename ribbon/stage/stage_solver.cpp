@@ -23,7 +23,7 @@ void StageSolver::resize(std::size_t slots, std::size_t tensions, std::size_t gr
 
 void StageSolver::set_contact_solve(ContactSolve solve) {
   contact_solve_ = solve;
-  newton_.system().discard_pattern();
+  discard_pattern();
 }
 
 bool StageSolver::solve(IslandState& state, Contacts& contacts, const MotionBounds& bounds, StepWork& work,
@@ -71,7 +71,7 @@ void StageSolver::load_forces(IslandState& state, const StageRequest& request) {
   state.place_gaps(request.time);
   for (const Member& member : state.members) {
     load_member(state, member, request);
-    if (move_climbing_grips(state, member)) newton_.system().discard_pattern();
+    if (move_climbing_grips(state, member)) discard_pattern();
   }
   if (state.in_medium) load_medium(state, request);
   load_wheel_forces(state, force_);
@@ -141,9 +141,9 @@ const std::vector<Vec2>* StageSolver::find_restitution(IslandState& state, Conta
   prediction.positions = state.positions;
   prediction.velocities = state.velocities;
   const Stage stage{dt, prediction.positions, prediction.velocities, inertia_, force_, state.constrained};
-  newton_.system().discard_pattern();
+  discard_pattern();
   const bool solved = newton_.find_coupled_direction(state, stage, contacts);
-  newton_.system().discard_pattern();
+  discard_pattern();
   return solved ? &newton_.direction() : nullptr;
 }
 

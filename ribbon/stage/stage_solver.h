@@ -23,6 +23,8 @@ class StageSolver {
   void resize(std::size_t slots, std::size_t tensions, std::size_t grips);
   void reserve(std::size_t grips) { newton_.reserve(grips); }
   void begin_step() { newton_.system().begin_step(); }
+  /// Call it when what is coupled has changed within a step.
+  void discard_pattern() { newton_.system().discard_pattern(); }
   /// Reserves memory for a step of an island that may touch something or is coupled.
   void reserve_linearised(const IslandState& state, const Contacts& contacts) {
     linearised_stage_.reserve(state, contacts);

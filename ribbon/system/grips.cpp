@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "ribbon/cord_line.h"
 #include "ribbon/elastic/link.h"
 #include "ribbon/geometry/rotation.h"
 #include "ribbon/linear/index.h"
@@ -10,9 +12,10 @@
 namespace ribbon {
 namespace {
 
-constexpr double grip_share = 1e-7;  // min. compliance of a grip along the cord, as a share of the point's own
-constexpr double max_draw = 0.25;    // of a link, by which a step draws a point towards an anchor that is elsewhere
-constexpr double min_travel = 1e-3;  // of a link, above which the displacement of an anchor counts as work
+constexpr double grip_share = 1e-7;    // min. compliance of a grip along the cord, as a share of the point's own
+constexpr double max_draw = 0.25;      // of a link, by which a step draws a point towards an anchor that is elsewhere
+constexpr double beside_share = 1e-6;  // of a link, from a point, above which an anchor that passes it is beside it
+constexpr double min_travel = 1e-3;    // of a link, above which the displacement of an anchor counts as work
 
 /// The arm begins where the cord is, so that nothing jumps. It ends at the anchor, or as much nearer to it as a step
 /// may draw a point: less, if steps before it were taken back, which otherwise would hang.
@@ -28,6 +31,7 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   held.strength = grip.strength;
   held.across = grip.across;
   held.returns = grip.returns;
+  held.beside = grip.beside;
   const int column = grip.point / def.rows;
   held.column = column + grip.along;
   held.climb = std::clamp(held.column + grip.climb, 0.0, def.points - 1.0) - held.column;
@@ -112,6 +116,47 @@ void load_grip(const IslandState& state, std::size_t k, std::span<const double> 
   blocks.make_dual(dual);
   blocks.add(dual, -compliance - (1.0 - across.xx), across.xy, -compliance - (1.0 - across.yy));
   right_side[at(dual)] = -closing(grip_separation(state, held, state.positions));
+}
+
+/// Returns how far a grip has slipped from its place, columns.
+double slip_from_place(const IslandState& state, const Member& member, const HeldBody& held) {
+  if (held.slip_sign == 0.0) return 0.0;
+  const Vec2 t = grip_tangent(state, held, state.positions);
+  const double columns = -dot(grip_separation(state, held, state.positions), t) / member.cord->state.rest[0];
+  return std::isfinite(columns) ? columns : 0.0;
+}
+
+/// Moves the place of a grip to where it has slipped to. Its anchor is there too from now on, or nothing would hold it
+/// where it is, and goes on as it moves on its body. What is left to the body's own anchor is for later steps: drawn at
+/// once, it would throw the cord. Returns false if it did not slip, or past an end.
+bool follow_slip(IslandState& state, const Member& member, std::size_t k) {
+  HeldBody& held = state.held[k];
+  const CordDef& def = member.cord->def;
+  const double column = held.column + held.slid_before + slip_from_place(state, member, held);
+  if (held.slip_sign == 0.0 || held.climb != 0.0 || !(column >= 0.0 && column <= def.points - 1.0)) return false;
+  const std::size_t point = held.point - member.first_point;
+  const CordLine line(IslandState::points_of(member, std::as_const(state.positions)), def.rows,
+                      static_cast<int>(point) % def.rows);
+  const Vec2 center = state.positions[state.center(held.solved_index)];
+  const double angle = state.positions[state.angle(held.solved_index)].x;
+  const auto from_body = [angle](Vec2 v) { return times(rotation(angle), v); };
+  const auto to_body = [angle](Vec2 v) { return times(rotation(-angle), v); };
+  const Vec2 anchor = center + held.arm_at(angle) + from_body(held.beside);
+  const double nearest = line.nearest_column(std::min(static_cast<int>(column), line.links() - 1), anchor);
+  if (!std::isfinite(nearest)) return false;  // its distance is no double
+  const int whole = std::min(static_cast<int>(nearest), line.links());
+  held.slid_before = nearest - held.column;
+  held.point = member.first_point + at(whole * def.rows) + point % at(def.rows);
+  held.next = whole < line.links() ? held.point + at(def.rows) : held.point;
+  held.along = nearest - whole;
+  const Vec2 place = held.hold(state.positions);
+  const Vec2 off = anchor - place;
+  const bool passes_point = held.along == 0.0 && whole > 0 && whole < line.links();
+  held.across = passes_point && length(off) > beside_share * line.length_of(whole) ? (1.0 / length(off)) * off : Vec2{};
+  held.beside = to_body(off);
+  held.travel = member.surroundings.grips[held.grip].travel;
+  held.arm = to_body(place - center) - held.share * held.travel;
+  return true;
 }
 
 }  // namespace
@@ -247,16 +292,22 @@ void take_slip_rows(IslandState& state, const LimitedRows& rows) {
 }
 
 void find_slips(IslandState& state) {
-  for (HeldBody& held : state.held) {
-    if (held.slip_sign == 0.0) continue;
-    const double along =
-        -dot(grip_separation(state, held, state.positions), grip_tangent(state, held, state.positions));
-    for (const Member& member : state.members) {
-      if (!member.has_point(held.point)) continue;
-      const double columns = along / member.cord->state.rest[0];
-      held.slid = std::isfinite(columns) ? columns : 0.0;
+  for (const Member& member : state.members) {
+    for (std::size_t k = member.first_grip; k < member.end_grip; ++k) {
+      HeldBody& held = state.held[k];
+      held.slid = held.slid_before + slip_from_place(state, member, held);
     }
   }
+}
+
+bool follow_slips(IslandState& state) {
+  bool any = false;
+  for (const Member& member : state.members) {
+    if (!member.cord->state.pulleys.empty()) continue;  // the place could get onto a wheel
+    for (std::size_t k = member.first_grip; k < member.end_grip; ++k) any = follow_slip(state, member, k) || any;
+  }
+  state.restart = state.restart || any;
+  return any;
 }
 
 double grip_work(const IslandState& state) {

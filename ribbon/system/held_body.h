@@ -34,11 +34,13 @@ struct HeldBody {
   double displacement = 0.0;  ///< m, of the anchor in the step, on the body and along the cord
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
   bool returns = false;                                       ///< its anchor was pushed off its place
-  Vec2 across;              ///< unit vector, in which it is held while it slips; zero: across its link
-  double slip_sign = 0.0;   ///< sign of the force along the cord with which it slips; 0 if it sticks
-  bool limited = false;     ///< a limited row holds it along the cord, because contacts are linearised once
-  double slip_force = 0.0;  ///< N, on the body along the cord, by that row
-  double slid = 0.0;        ///< columns, slip along the cord in the step
+  Vec2 across;               ///< unit vector, in which it is held while it slips; zero: across its link
+  double slip_sign = 0.0;    ///< sign of the force along the cord with which it slips; 0 if it sticks
+  bool limited = false;      ///< a limited row holds it along the cord, because contacts are linearised once
+  double slip_force = 0.0;   ///< N, on the body along the cord, by that row
+  double slid = 0.0;         ///< columns, slip along the cord in the step
+  double slid_before = 0.0;  ///< columns, the part of it that the place has followed; see follow_slips
+  Vec2 beside;               ///< m, Grip::beside, in directions of the start of the step
 
   Vec2 arm_at(double angle) const;
   bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }
