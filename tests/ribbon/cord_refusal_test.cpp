@@ -173,6 +173,18 @@ TEST(Cord, RefusesInvalidStepsAndChangesNothing) {
   refuses(0.01, {}, {bodies, wheel, {}, {}}, "circles[0].tangent_speed");
   const std::array grips{Grip{51, 0, {}}};
   refuses(0.01, {}, {bodies, {}, grips, {}}, "grips[0].point");
+  const auto refuses_grip = [&](auto&& set, const std::string& field) {
+    std::array held{Grip{0, 0, {}}};
+    set(held[0]);
+    refuses(0.01, {}, {bodies, {}, held, {}}, "grips[0]." + field);
+  };
+  refuses_grip([](Grip& grip) { grip.offset = {nan, 0.0}; }, "offset");
+  refuses_grip([](Grip& grip) { grip.travel = {0.0, nan}; }, "travel");
+  refuses_grip([](Grip& grip) { grip.along = -0.1; }, "along");
+  refuses_grip([](Grip& grip) { grip.climb = infinity; }, "climb");
+  refuses_grip([](Grip& grip) { grip.strength = -1.0; }, "strength");
+  refuses_grip([](Grip& grip) { grip.across = {0.0, 2.0}; }, "across");
+  refuses_grip([](Grip& grip) { grip.beside = {infinity, 0.0}; }, "beside");
   const auto refuses_support = [&](const Support& support, const std::string& field) {
     Surroundings supported{bodies};
     const std::array supports{support};

@@ -121,6 +121,27 @@ TEST(CordHeldBody, MovesTheSameWhetherItIsCondensedOrCoupled) {
   EXPECT_LT(most, 1e-6);
 }
 
+/// A hand slides past a corner and would be beside the second link if its anchor were not above the cord. From the
+/// second substep on it is held at the place that is nearest to that anchor.
+TEST(CordHeldBody, FollowsTheCordToThePlaceThatIsNearestToItsAnchor) {
+  CordDef def;
+  def.points = 3;
+  def.length = 2.0;
+  def.positions = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
+  def.pins = {0, 1, 2};
+  def.accuracy.integrator = Integrator::implicit_euler;
+  def.accuracy.substeps = 2;
+  Held held{Cord(def), {body_at({0.9, 0.0}, 1.0, 0.0)}, {{0, 0, {}}}, {}};
+  held.bodies[0].velocity = {0.2 / (0.5 * dt), 0.0};
+  held.bodies[0].acceleration = {};
+  held.grips[0].along = 0.9;
+  held.grips[0].strength = 1e-6;
+  held.grips[0].beside = {0.0, 0.3};
+  held.step();
+  ASSERT_EQ(held.cord.holders().size(), 1U);
+  EXPECT_NEAR(held.cord.holders()[0].slid, 0.1 + 0.3, 1e-6);
+}
+
 /// After the last column no other column follows, so a place between them does not exist.
 TEST(CordHeldBody, BeyondTheLastPointIsRefused) {
   CordDef def;
