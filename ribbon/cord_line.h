@@ -14,11 +14,18 @@ class CordLine {
   /// rows − 1. There must be two columns or more.
   CordLine(std::span<const Vec2> positions, int rows, int row) : x_(positions), rows_(rows), row_(row) {}
 
+  /// Returns the number of rows of the cord.
   int rows() const { return rows_; }
+  /// Returns the number of links: columns less one.
   int links() const { return static_cast<int>(x_.size()) / rows_ - 1; }
-  Vec2 at(int column) const { return x_[static_cast<std::size_t>(column * rows_ + row_)]; }
-  /// Returns the position at a share of a link, 0 … 1.
+  /// Returns the position of a column, m.
+  Vec2 at(int column) const {
+    const int point = column * rows_ + row_;
+    return x_[static_cast<std::size_t>(point)];
+  }
+  /// Returns the position at a share of a link, 0 … 1; m.
   Vec2 place(int link, double along) const { return at(link) + along * (at(link + 1) - at(link)); }
+  /// Returns the length of a link as it is, m.
   double length_of(int link) const { return length(at(link + 1) - at(link)); }
   /// Returns the direction of a link; zero if it has no length.
   Vec2 tangent(int link) const;

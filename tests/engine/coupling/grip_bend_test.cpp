@@ -89,7 +89,7 @@ SlideInABend slide_in_a_bend(int substeps) {
   for (int i = 0; i < def.points; ++i) {
     const double angle = std::numbers::pi * i / 40.0;
     def.pins.push_back(i);
-    def.positions.emplace_back(-1.5 * std::cos(angle), -1.5 * std::sin(angle));
+    def.positions.push_back({-1.5 * std::cos(angle), -1.5 * std::sin(angle)});
   }
   scene.coupling.add(Cord(def));
   const Vec2 start = def.positions[1];
