@@ -3,8 +3,8 @@
 #include "ribbon/box2d/coupled_cord.h"
 #include "ribbon/box2d/coupling_state.h"
 
-// Where a grip that may slip holds its cord. The solver lets it slide along the line of one link in a step, so it can
-// end beside its cord: beyond a bend, or where Box2D pushed its body.
+// Where a grip that may slip holds its cord. The solver lets it slide along the line of one link in a substep, so it
+// can end beside its cord: beyond a bend, or where Box2D pushed its body.
 
 namespace ribbon::box2d {
 

@@ -12,10 +12,12 @@
 namespace ribbon {
 namespace {
 
-constexpr double grip_share = 1e-7;    // min. compliance of a grip along the cord, as a share of the point's own
-constexpr double max_draw = 0.25;      // of a link, by which a step draws a point towards an anchor that is elsewhere
-constexpr double beside_share = 1e-6;  // of a link, from a point, above which an anchor that passes it is beside it
-constexpr double min_travel = 1e-3;    // of a link, above which the displacement of an anchor counts as work
+constexpr double grip_share = 1e-7;  // min. compliance of a grip along the cord, as a share of the point's own
+constexpr double max_draw = 0.25;    // of a link, by which a step draws a point towards an anchor that is elsewhere
+// Of a link, from a point, above which an anchor that passes it within a step is beside it and held across the way to
+// it. Anything larger would let what hangs in a bend fall along a link until the next step.
+constexpr double beside_share = 1e-6;
+constexpr double min_travel = 1e-3;  // of a link, above which the displacement of an anchor counts as work
 
 /// The arm begins where the cord is, so that nothing jumps. It ends at the anchor, or as much nearer to it as a step
 /// may draw a point: less, if steps before it were taken back, which otherwise would hang.

@@ -121,25 +121,35 @@ TEST(CordHeldBody, MovesTheSameWhetherItIsCondensedOrCoupled) {
   EXPECT_LT(most, 1e-6);
 }
 
-/// A hand slides past a corner and would be beside the second link if its anchor were not above the cord. From the
-/// second substep on it is held at the place that is nearest to that anchor.
+/// A hand whose anchor is beside the cord slides past a corner. From the second substep on it is held at the place that
+/// is nearest to that anchor, on the other link. In a ribbon it stays in its row.
 TEST(CordHeldBody, FollowsTheCordToThePlaceThatIsNearestToItsAnchor) {
-  CordDef def;
-  def.points = 3;
-  def.length = 2.0;
-  def.positions = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  def.pins = {0, 1, 2};
-  def.accuracy.integrator = Integrator::implicit_euler;
-  def.accuracy.substeps = 2;
-  Held held{Cord(def), {body_at({0.9, 0.0}, 1.0, 0.0)}, {{0, 0, {}}}, {}};
-  held.bodies[0].velocity = {0.2 / (0.5 * dt), 0.0};
-  held.bodies[0].acceleration = {};
-  held.grips[0].along = 0.9;
-  held.grips[0].strength = 1e-6;
-  held.grips[0].beside = {0.0, 0.3};
-  held.step();
-  ASSERT_EQ(held.cord.holders().size(), 1U);
-  EXPECT_NEAR(held.cord.holders()[0].slid, 0.1 + 0.3, 1e-6);
+  CordDef rope;
+  rope.points = 3;
+  rope.length = 2.0;
+  rope.positions = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
+  rope.pins = {0, 1, 2};
+  rope.accuracy.integrator = Integrator::implicit_euler;
+  rope.accuracy.substeps = 2;
+  CordDef ribbon = rope;
+  ribbon.rows = 2;
+  ribbon.width = 0.5;
+  ribbon.stretch_stiffness = 1e3;
+  ribbon.positions = {{0.0, -0.5}, {0.0, 0.0}, {1.5, -0.5}, {1.0, 0.0}, {1.5, 1.0}, {1.0, 1.0}};
+  ribbon.pins = {0, 1, 2, 3, 4, 5};
+  for (const CordDef& def : {rope, ribbon}) {
+    const int row = def.rows - 1;
+    Held held{Cord(def), {body_at({0.9, 0.0}, 1.0, 0.0)}, {{row, 0, {}}}, {}};
+    held.bodies[0].velocity = {0.2 / (0.5 * dt), 0.0};
+    held.bodies[0].acceleration = {};
+    held.grips[0].along = 0.9;
+    held.grips[0].strength = 1e-6;
+    held.grips[0].beside = {0.0, 0.3};
+    held.step();
+    ASSERT_EQ(held.cord.holders().size(), 1U) << def.rows;
+    EXPECT_EQ(held.cord.holders()[0].point, def.rows + row);
+    EXPECT_NEAR(held.cord.holders()[0].slid, 0.1 + 0.3, 1e-6) << def.rows;
+  }
 }
 
 /// After the last column no other column follows, so a place between them does not exist.
