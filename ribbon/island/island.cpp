@@ -161,15 +161,16 @@ bool Island::truncates(bool linearised) const {
 /// Returns false if a substep did not converge.
 bool Island::take_substeps(bool linearised) {
   const bool truncated = truncates(linearised);
+  const double dt = state_.dt / state_.accuracy.substeps;
+  aim_slips(state_, linearised || truncated ? state_.dt : dt);
   if (truncated && linearised_step_.take_truncated(context(), restitution_)) return true;
   if (linearised) {
     linearised_step_.take(context(), restitution_, !truncated);
     return true;
   }
   if (truncated) return false;
-  const double dt = state_.dt / state_.accuracy.substeps;
   for (int n = 0; n < state_.accuracy.substeps; ++n) {
-    if (n > 0 && follow_slips(state_)) stages_.discard_pattern();
+    if (n > 0 && follow_slips(state_, dt)) stages_.discard_pattern();
     if (!substeps_.take(context(), n * dt, dt, restitution_)) return false;
   }
   return true;

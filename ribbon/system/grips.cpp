@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "ribbon/cord_line.h"
 #include "ribbon/elastic/link.h"
@@ -122,10 +122,84 @@ void load_grip(const IslandState& state, std::size_t k, std::span<const double> 
 
 /// Returns how far a grip has slipped from its place, columns.
 double slip_from_place(const IslandState& state, const Member& member, const HeldBody& held) {
-  if (held.slip_sign == 0.0) return 0.0;
+  if (held.slip_sign == 0.0 && held.ahead == 0.0) return 0.0;
   const Vec2 t = grip_tangent(state, held, state.positions);
   const double columns = -dot(grip_separation(state, held, state.positions), t) / member.cord->state.rest[0];
   return std::isfinite(columns) ? columns : 0.0;
+}
+
+CordLine line_of(const IslandState& state, const Member& member, const HeldBody& held) {
+  const int rows = member.cord->def.rows;
+  const auto point = static_cast<int>(held.point - member.first_point);
+  return {IslandState::points_of(member, state.positions), rows, point % rows};
+}
+
+/// Returns how fast the anchor of a grip moves along a direction of its cord, relative to it, m/s.
+double slip_speed(const IslandState& state, const HeldBody& held, Vec2 tangent) {
+  const std::size_t center = state.center(held.solved_index);
+  const std::size_t angle = state.angle(held.solved_index);
+  const Vec2 arm = held.arm_at(state.positions[angle].x);
+  const Vec2 anchor = state.velocities[center] + state.velocities[angle].x * perp(arm);
+  return dot(anchor - held.hold(state.velocities), tangent);
+}
+
+/// Where a way along a row of a cord ends.
+struct WayEnd {
+  int link = 0;         ///< the last link of the way
+  double into = 0.0;    ///< the share of it that is gone, 0 … 1
+  int sharp_bend = -1;  ///< column of a bend by more than a right angle, at which the way ends; −1: there is none
+};
+
+/// Follows a way [m] from a share of a link, forward or back, as far as the cord leads.
+WayEnd follow_way(const CordLine& line, int link, double along, bool forward, double way) {
+  const Vec2 first = line.tangent(link);
+  double into = forward ? along : 1.0 - along;
+  double left = way;
+  for (;;) {
+    const double to_end = (1.0 - into) * line.length_of(link);
+    const int next = link + (forward ? 1 : -1);
+    if (!(to_end < left)) return {link, std::min(1.0, into + left / line.length_of(link))};
+    if (next < 0 || next >= line.links()) return {link, 1.0};
+    const Vec2 tangent = line.tangent(next);
+    if (dot(tangent, line.tangent(link)) < 0.0 || dot(tangent, first) < 0.0) return {link, 1.0, std::max(link, next)};
+    left -= to_end;
+    link = next;
+    into = 0.0;
+  }
+}
+
+/// A grip that slides past a bend between links of the directions t and t' is turned from t to t'. What keeps its speed
+/// is a force across the direction between them, t + t'. So it is held across that, at the place of the cord where it
+/// will be if friction alone slows it down. A bend by more than a right angle leads back: it stops the grip.
+void aim_slip(IslandState& state, const Member& member, HeldBody& held, double dt) {
+  if (!held.may_slip() || held.climb != 0.0 || held.across != Vec2{} || held.next == held.point) return;
+  const CordLine line = line_of(state, member, held);
+  const auto point = static_cast<int>(held.point - member.first_point);
+  const int link = point / line.rows();
+  const double speed = slip_speed(state, held, line.tangent(link));
+  const double slowed = dt * held.strength * state.rigid_of(state.bodies[held.solved_index]).inverse_mass;
+  const double way = dt * std::abs(speed) - dt * slowed;
+  if (!(way > 0.0)) return;
+  const bool forward = speed > 0.0;
+  const WayEnd end = follow_way(line, link, held.along, forward, way);
+  const auto point_at = [&](int column) { return member.first_point + at(column * line.rows() + point % line.rows()); };
+  if (end.sharp_bend >= 0) {
+    held.slid_before = end.sharp_bend - held.column;
+    held.point = held.next = point_at(end.sharp_bend);
+    held.along = 0.0;
+    held.strength = std::numeric_limits<double>::infinity();
+  } else if (end.link != link) {
+    const Vec2 start = held.hold(state.positions);
+    held.point = point_at(end.link);
+    held.next = point_at(end.link + 1);
+    held.along = forward ? end.into : 1.0 - end.into;
+    held.slid_before = end.link + held.along - held.column;
+    const Vec2 between = line.tangent(link) + line.tangent(end.link);
+    const Vec2 t = (1.0 / length(between)) * between;
+    held.across = perp(t);
+    held.ahead = dot(held.hold(state.positions) - start, t);
+    held.slip_sign = forward ? -1.0 : 1.0;
+  }
 }
 
 /// Moves the place of a grip to where it has slipped to. Its anchor is there too from now on, or nothing would hold it
@@ -135,10 +209,10 @@ bool follow_slip(IslandState& state, const Member& member, std::size_t k) {
   HeldBody& held = state.held[k];
   const CordDef& def = member.cord->def;
   const double column = held.column + held.slid_before + slip_from_place(state, member, held);
-  if (held.slip_sign == 0.0 || held.climb != 0.0 || !(column >= 0.0 && column <= def.points - 1.0)) return false;
+  const bool stays = held.slip_sign == 0.0 && held.ahead == 0.0;
+  if (stays || held.climb != 0.0 || !(column >= 0.0 && column <= def.points - 1.0)) return false;
   const std::size_t point = held.point - member.first_point;
-  const CordLine line(IslandState::points_of(member, std::as_const(state.positions)), def.rows,
-                      static_cast<int>(point) % def.rows);
+  const CordLine line = line_of(state, member, held);
   const Vec2 center = state.positions[state.center(held.solved_index)];
   const double angle = state.positions[state.angle(held.solved_index)].x;
   const auto from_body = [angle](Vec2 v) { return times(rotation(angle), v); };
@@ -151,6 +225,7 @@ bool follow_slip(IslandState& state, const Member& member, std::size_t k) {
   held.point = member.first_point + at(whole * def.rows) + point % at(def.rows);
   held.next = whole < line.links() ? held.point + at(def.rows) : held.point;
   held.along = nearest - whole;
+  held.ahead = 0.0;
   const Vec2 place = held.hold(state.positions);
   const Vec2 off = anchor - place;
   const bool passes_point = held.along == 0.0 && whole > 0 && whole < line.links();
@@ -278,7 +353,7 @@ void append_slip_rows(const IslandState& state, std::span<const double> inertia,
     row.add(static_cast<int>(state.center(held.solved_index)), -t);
     row.add(static_cast<int>(state.angle(held.solved_index)), {dot(u, t), 0.0});
     const double compliance = grip_share / std::max(inertia[held.point], inertia[held.next]);
-    const double separation = dot(t, grip_separation(state, held, state.positions));
+    const double separation = dot(t, grip_separation(state, held, state.positions)) - held.ahead;
     rows.add({row, separation, compliance, -held.strength, held.strength, -held.slip_force});
   }
 }
@@ -302,11 +377,22 @@ void find_slips(IslandState& state) {
   }
 }
 
-bool follow_slips(IslandState& state) {
-  bool any = false;
+void aim_slips(IslandState& state, double dt) {
   for (const Member& member : state.members) {
     if (!member.cord->state.pulleys.empty()) continue;  // the place could get onto a wheel
-    for (std::size_t k = member.first_grip; k < member.end_grip; ++k) any = follow_slip(state, member, k) || any;
+    for (std::size_t k = member.first_grip; k < member.end_grip; ++k) aim_slip(state, member, state.held[k], dt);
+  }
+}
+
+bool follow_slips(IslandState& state, double dt) {
+  bool any = false;
+  for (const Member& member : state.members) {
+    if (!member.cord->state.pulleys.empty()) continue;
+    for (std::size_t k = member.first_grip; k < member.end_grip; ++k) {
+      if (!follow_slip(state, member, k)) continue;
+      aim_slip(state, member, state.held[k], dt);
+      any = true;
+    }
   }
   state.restart = state.restart || any;
   return any;

@@ -40,9 +40,13 @@ void take_slip_rows(IslandState& state, const LimitedRows& rows);
 
 /// Writes to each grip how far it has slipped in the step.
 void find_slips(IslandState& state);
+/// Before the first substep, of `dt` [s]: holds each grip that will slide past a bend in it where it will be at its
+/// end. It then follows the cord instead of the line of its link.
+void aim_slips(IslandState& state, double dt);
 /// Between substeps: moves the places of grips to where they have slipped to, so that they follow the bends of their
-/// cords. Returns whether one moved; the linear system then has another pattern.
-bool follow_slips(IslandState& state);
+/// cords, and aims them again for the next `dt` [s]. Returns whether one moved; the linear system then has another
+/// pattern.
+bool follow_slips(IslandState& state, double dt);
 /// Returns the largest work, J, that anchors which move on their bodies or along a cord can have done in the substep.
 /// It is twice the pull times the displacement. The pull is that at the end, or the mean one if it is not coupled.
 double grip_work(const IslandState& state);

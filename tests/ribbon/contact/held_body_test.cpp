@@ -121,15 +121,32 @@ TEST(CordHeldBody, MovesTheSameWhetherItIsCondensedOrCoupled) {
   EXPECT_LT(most, 1e-6);
 }
 
+/// A rope of two links, both 1 m long, whose points are pinned.
+CordDef corner(Vec2 end) {
+  CordDef def;
+  def.points = 3;
+  def.length = 2.0;
+  def.positions = {{0.0, 0.0}, {1.0, 0.0}, end};
+  def.pins = {0, 1, 2};
+  def.accuracy.integrator = Integrator::implicit_euler;
+  return def;
+}
+
+/// A hand of 1 kg, 0.1 m before the corner, which goes on by 0.2 m in each substep.
+Held sliding_into(const CordDef& def, double strength, Grip grip = {0, 0, {}}) {
+  grip.along = 0.9;
+  grip.strength = strength;
+  Held held{Cord(def), {body_at({0.9, 0.0}, 1.0, 0.0)}, {grip}, {}};
+  held.bodies[0].velocity = {0.2 / dt * def.accuracy.substeps, 0.0};
+  held.bodies[0].acceleration = {};
+  return held;
+}
+
 /// A hand whose anchor is beside the cord slides past a corner. From the second substep on it is held at the place that
-/// is nearest to that anchor, on the other link. In a ribbon it stays in its row.
+/// is nearest to that anchor, on the other link. In a ribbon it stays in its row. The corner turns it by a right angle,
+/// held across the direction between the links, so both components of its velocity are half of what it was.
 TEST(CordHeldBody, FollowsTheCordToThePlaceThatIsNearestToItsAnchor) {
-  CordDef rope;
-  rope.points = 3;
-  rope.length = 2.0;
-  rope.positions = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  rope.pins = {0, 1, 2};
-  rope.accuracy.integrator = Integrator::implicit_euler;
+  CordDef rope = corner({1.0, 1.0});
   rope.accuracy.substeps = 2;
   CordDef ribbon = rope;
   ribbon.rows = 2;
@@ -139,16 +156,53 @@ TEST(CordHeldBody, FollowsTheCordToThePlaceThatIsNearestToItsAnchor) {
   ribbon.pins = {0, 1, 2, 3, 4, 5};
   for (const CordDef& def : {rope, ribbon}) {
     const int row = def.rows - 1;
-    Held held{Cord(def), {body_at({0.9, 0.0}, 1.0, 0.0)}, {{row, 0, {}}}, {}};
-    held.bodies[0].velocity = {0.2 / (0.5 * dt), 0.0};
-    held.bodies[0].acceleration = {};
-    held.grips[0].along = 0.9;
-    held.grips[0].strength = 1e-6;
+    Held held = sliding_into(def, 1e-6, {row, 0, {}});
     held.grips[0].beside = {0.0, 0.3};
     held.step();
     ASSERT_EQ(held.cord.holders().size(), 1U) << def.rows;
     EXPECT_EQ(held.cord.holders()[0].point, def.rows + row);
-    EXPECT_NEAR(held.cord.holders()[0].slid, 0.1 + 0.3, 1e-6) << def.rows;
+    const double on_second_link = 0.1 + 0.3 + 0.1;  // in the first substep, to the nearest place, in the second substep
+    EXPECT_NEAR(held.cord.holders()[0].slid, 0.1 + on_second_link, 1e-6) << def.rows;
+  }
+}
+
+/// Friction takes 0.05 m from its way. A corner turns it by half, so it gets less far than to the place at which it is
+/// held. Newton's method and linearised contacts, which hold it along the cord by a limited force, agree.
+TEST(CordHeldBody, SlidesPastACornerAgainstItsStrength) {
+  for (const int newton_pause : {0}) {
+    Held held = sliding_into(corner({1.0, 1.0}), 0.05 / (dt * dt));
+    Cord::State state = held.cord.save();
+    state.newton_pause = newton_pause;
+    held.cord.restore(state);
+    held.step();
+    ASSERT_EQ(held.cord.holders().size(), 1U);
+    const double along = std::sqrt(0.5) * 0.2 - 0.05;     // m, in the direction between the links
+    const double across = std::sqrt(0.5) * (0.1 - 0.05);  // to the place ahead
+    EXPECT_NEAR(length(held.bodies[0].moved), std::hypot(along, across), 1e-6) << newton_pause;
+    const double ahead = std::sqrt(0.5) * 0.15;
+    EXPECT_NEAR(held.cord.holders()[0].slid, 0.15 + along - ahead, 1e-6) << newton_pause;
+  }
+}
+
+/// What its strength stops before a corner is stopped, and not thrown back.
+TEST(CordHeldBody, StopsBeforeACorner) {
+  Held held = sliding_into(corner({1.0, 1.0}), 1.0 / (dt * dt));
+  held.step();
+  EXPECT_LE(length(held.bodies[0].moved), 1e-6);
+}
+
+/// Where the next link leads back, it goes no further: not along the line of the link that it is on, either.
+TEST(CordHeldBody, SlidesNoFurtherThanASharpBend) {
+  for (const bool forward : {true, false}) {
+    CordDef def = corner({0.5, 0.5 * std::sqrt(3.0)});
+    if (!forward) std::reverse(def.positions.begin(), def.positions.end());
+    Held held = sliding_into(def, 1e-6, {forward ? 0 : 1, 0, {}});
+    if (!forward) held.grips[0].along = 0.1;
+    held.step();
+    ASSERT_EQ(held.cord.holders().size(), 1U) << forward;
+    EXPECT_EQ(held.cord.holders()[0].point, 1) << forward;
+    EXPECT_NEAR(held.cord.holders()[0].slid, forward ? 0.1 : -0.1, 1e-9) << forward;
+    EXPECT_NEAR(held.bodies[0].moved.x, 0.1, 1e-9) << forward;
   }
 }
 
