@@ -104,7 +104,7 @@ void load_grip(const IslandState& state, std::size_t k, std::span<const double> 
   const double acting = acting_share(state, held);
   const std::array<double, 3> acts = {1.0 - acting, acting, -1.0};
   const std::array<double, 3> pulls = {1.0 - held.along, held.along, -1.0};
-  const Vec2 friction = (held.slip_sign * (slips ? held.strength : 0.0)) * t;
+  const Vec2 friction = (slips && !held.limited ? held.slip_sign * held.strength : 0.0) * t;
   for (std::size_t i = 0; i < 3; ++i) {
     right_side[at(slots[i])] -= pulls[i] * friction;
     const double w = acts[i];

@@ -15,7 +15,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"terms", build_terms, nullptr, 180, 0x1f093ee30310663a},
     {"ribbons", build_ribbons, nullptr, 180, 0x52e54ab7661cc2f6},
     {"contacts", build_contacts, nullptr, 150, 0xc974704c4c2339bf},
-    {"grips", build_grips, drive_grips, 180, 0x1237495184f99e7e},
+    {"grips", build_grips, drive_grips, 180, 0x2618f57b13e70fd7},
     {"self_contact", build_self_contact, nullptr, 80, 0xc9b3a506802e91e5},
     {"thesis", build_thesis, drive_thesis, 180, 0x73170f821532aa5a},
     {"rough", build_rough, drive_rough, 120, 0x123d8be6f5f17ef2},

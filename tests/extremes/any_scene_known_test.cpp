@@ -72,6 +72,8 @@ const Known scenes[] = {
     {"WhatABodyPressesIsNotPulledOut", gentle(Family::hold_between, 3, Preset::fast), "stretch", stretch, 1e-2},
     {"HandsThatAreHeldUpComeBackSlowly", gentle(Family::grips_slip, 5, Preset::accurate), "gain of energy", gain, 2e-3},
     {"WhatSlipsPastABendIsNotThrown", gentle(Family::grips_slip, 67, Preset::balanced), "gain of energy", gain, 1e-2},
+    {"WhatSlipsIsTurnedByABend", gentle(Family::grips_slip, 492, Preset::fast), "gap of a grip, m", gap, 0.02},
+    {"WhatSlipsIsTurnedByEachBend", gentle(Family::grips_slip, 466, Preset::accurate), "gap of a grip, m", gap, 0.02},
     {"WhatSlipsFollowsItsCordInATick", gentle(Family::grips_slip, 378, Preset::accurate), "gap of a grip, m", gap, 1.0},
     {"WhatSlipsStaysAtItsCord", gentle(Family::grips_slip, 62, Preset::balanced), "gap of a grip, m", gap, 1.0},
     {"WhatSlipsIsHeldAtTheNearestPlace", gentle(Family::grips_slip, 89, Preset::balanced), "gap of a grip, m", gap,
