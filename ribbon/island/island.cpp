@@ -5,8 +5,8 @@
 
 #include "ribbon/island/sleep.h"
 #include "ribbon/linear/index.h"
-#include "ribbon/system/grips.h"
 #include "ribbon/system/load_cords.h"
+#include "ribbon/system/slips.h"
 #include "ribbon/system/store_cords.h"
 #include "ribbon/system/stretch.h"
 #include "ribbon/system/supports.h"

@@ -20,6 +20,8 @@ bool move_climbing_grips(IslandState& state, const Member& member);
 std::array<int, 4> grip_slots(const IslandState& state, const HeldBody& held);
 /// Returns how far the cord is at `x` from the anchor on the body that holds it, m.
 Vec2 grip_separation(const IslandState& state, const HeldBody& held, std::span<const Vec2> x);
+/// Returns the direction in which a grip slips: that of the cord where it is held, or round a point.
+Vec2 grip_tangent(const IslandState& state, const HeldBody& held, std::span<const Vec2> x);
 /// Returns the pull of the cord on the body, N, from an array of tensions.
 Vec2 grip_pull(const IslandState& state, std::span<const double> tensions, std::size_t grip);
 /// Returns the same; if the system is not coupled, from the motion of the body in the step.
@@ -38,15 +40,6 @@ void append_slip_rows(const IslandState& state, std::span<const double> inertia,
 /// Takes over the forces of these rows, which are the last ones, and whether the grips slip.
 void take_slip_rows(IslandState& state, const LimitedRows& rows);
 
-/// Writes to each grip how far it has slipped in the step.
-void find_slips(IslandState& state);
-/// Before the first substep, of `dt` [s]: holds each grip that will slide past a bend in it where it will be at its
-/// end. It then follows the cord instead of the line of its link.
-void aim_slips(IslandState& state, double dt);
-/// Between substeps: moves the places of grips to where they have slipped to, so that they follow the bends of their
-/// cords, and aims them again for the next `dt` [s]. Returns whether one moved; the linear system then has another
-/// pattern.
-bool follow_slips(IslandState& state, double dt);
 /// Returns the largest work, J, that anchors which move on their bodies or along a cord can have done in the substep.
 /// It is twice the pull times the displacement. The pull is that at the end, or the mean one if it is not coupled.
 double grip_work(const IslandState& state);

@@ -35,7 +35,7 @@ struct HeldBody {
   double strength = std::numeric_limits<double>::infinity();  ///< N, above which it slips
   bool returns = false;                                       ///< its anchor was pushed off its place
   Vec2 across;               ///< unit vector, in which it is held while it slips; zero: across its link
-  double ahead = 0.0;        ///< m, by which its place is ahead, across that vector, of where it was; see aim_slips
+  double ahead = 0.0;        ///< m along the cord, by which its place is ahead of where it is; see aim_slips
   double slip_sign = 0.0;    ///< sign of the force along the cord with which it slips; 0 if it sticks
   bool limited = false;      ///< a limited row holds it along the cord, because contacts are linearised once
   double slip_force = 0.0;   ///< N, on the body along the cord, by that row

@@ -7,6 +7,7 @@
 #include "ribbon/linear/index.h"
 #include "ribbon/system/grips.h"
 #include "ribbon/system/overstretch.h"
+#include "ribbon/system/slips.h"
 #include "ribbon/system/wheel_end.h"
 
 namespace ribbon {
