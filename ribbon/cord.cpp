@@ -94,7 +94,7 @@ std::span<const Cord::Holder> Cord::holders() const { return parts_->state.holde
 void Cord::attach_mass(int point, double mass) {
   check_point(*parts_, point);
   check_range("attached mass", mass, 0.0, 1e12);
-  parts_->state.masses[at(point)] = parts_->own_masses[at(point)] + mass;
+  parts_->state.masses[at(point)] = parts_->own_masses[at(point)] + parts_->mass_by_ring(at(point)) + mass;
   parts_->disturb();
 }
 

@@ -126,7 +126,8 @@ class Cord {
     double angular_acceleration = 0.0;  ///< rad/s²
     int grip = 0;                       ///< index of its grip in the step
     Vec2 pull{};                        ///< N, force of the cord on the body
-    double slid = 0.0;                  ///< columns, slip of the grip along the cord
+    double slid = 0.0;                  ///< columns, by which the grip got along the cord as it slipped
+    bool slips = false;                 ///< it slipped
     bool operator==(const Holder&) const = default;
   };
   /// Returns the bodies that held the cord in the last step, ordered by point. A static or kinematic body that holds

@@ -91,6 +91,8 @@ struct Grip {
   /// m, from the anchor that the step draws the cord to, to the body's own, which is beside the cord and to which later
   /// steps draw it; in world directions.
   Vec2 beside{};
+  /// A bend catches it: it does not slip, unless the rope runs through it as through a ring.
+  bool caught = false;
 };
 
 /// A place where something keeps a body that holds or touches a cord from moving: the ground, or another body that

@@ -228,7 +228,7 @@ void add(Hasher& hasher, const Pulley& pulley) {
 }
 
 void add(Hasher& hasher, const Cord::Holder& holder) {
-  const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] = holder;
+  const auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid, slips] = holder;
   hasher.add(point);
   hasher.add(velocity);
   hasher.add(turning);
@@ -237,7 +237,9 @@ void add(Hasher& hasher, const Cord::Holder& holder) {
   hasher.add(grip);
   hasher.add(pull);
   hasher.add(slid);
+  if (slips != (slid != 0.0)) hasher.add(slips);  // most slips are told by how far it slid
 }
+
 
 void add(Hasher& hasher, const Touch& touch) {
   const auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] = touch;

@@ -69,13 +69,14 @@ bool follow_grip(BodyGrip& grip, const CoupledCord& cord, std::size_t index) {
   grip.pull = {};
   grip.drives_point = true;
   double slid = 0.0;
+  grip.slips = false;
   for (const Cord::Holder& solved : cord.direct().holders()) {
     if (solved.grip != static_cast<int>(index)) continue;
     grip.pull = solved.pull;
     grip.drives_point = false;
     slid = solved.slid;
+    grip.slips = solved.slips;
   }
-  grip.slips = slid != 0.0;
   const CordShape shape = cord.shape();
   const double before = column_of(grip, cord);
   const double column = cord.free_of_wheels(before, before + cord.grips[index].climb + slid);
@@ -215,7 +216,8 @@ void GripTable::gather(CordTable& cords, double dt, const std::function<int(b2Bo
     grip.returns = held.blocked;
     grip.beside = anchor - offset;
     grip.across = grip.climb == 0.0 ? place.across : Vec2{};
-    if (!place.sticks) grip.strength = held.strength;
+    if (!place.stops) grip.strength = held.strength;
+    grip.caught = place.is_caught;
     cord.grips.push_back(grip);
     cord.grip_ids.push_back(held.id);
   }

@@ -29,8 +29,10 @@ SlipPlace place_at_point(const GripMemory& grip, const CordLine& line, int colum
     place.point -= line.rows();
     place.along = 1.0;
   }
-  const bool is_caught = column > 0 && column < line.links() && -dot(back, on) < sharp_bend;
-  place.sticks = !slides_on && !slides_back && (stops || is_caught);
+  const bool is_bend = column > 0 && column < line.links() && -dot(back, on) < sharp_bend;
+  const bool stays = !slides_on && !slides_back;
+  place.stops = stays && stops;
+  place.is_caught = stays && is_bend;
   return place;
 }
 
@@ -52,7 +54,7 @@ SlipPlace slip_place(const GripMemory& grip, const CoupledCord& cord, Vec2 hand,
   const Vec2 off = hand - line.at(column);
   const double link = line.length_of(std::min(column, line.links() - 1));
   if (length(off) <= beside_share * link) return place_at_point(grip, line, column, stops);
-  place.sticks = stops;
+  place.stops = stops;
   if (column > 0 && column < line.links()) place.across = (1.0 / length(off)) * off;
   return place;
 }

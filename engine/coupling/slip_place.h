@@ -10,10 +10,11 @@ namespace ribbon::box2d {
 
 /// The place that a step is to hold.
 struct SlipPlace {
-  int point = 0;        ///< index of the point, or of the one before the place
-  double along = 0.0;   ///< share of the link after it, 0 … 1
-  Vec2 across{};        ///< unit vector, in which it holds at a point; zero: across its link
-  bool sticks = false;  ///< it cannot leave the point, and is held in all directions
+  int point = 0;           ///< index of the point, or of the one before the place
+  double along = 0.0;      ///< share of the link after it, 0 … 1
+  Vec2 across{};           ///< unit vector, in which it holds at a point; zero: across its link
+  bool stops = false;      ///< at an end that it cannot leave, it is held in all directions
+  bool is_caught = false;  ///< so it is in a bend, unless its cord runs through it
 };
 
 /// Moves a grip downhill to the nearest place of its cord, if `hand` [m], its anchor in the world, is beside the cord.

@@ -12,7 +12,7 @@
 /// does not compile until it is added here. Increase solver_step_version then.
 namespace engine::step_fields {
 
-inline constexpr int solver_step_version = 13;
+inline constexpr int solver_step_version = 14;
 
 /// T, const or not.
 template <typename T, typename Plain>
@@ -77,7 +77,7 @@ void fields(Archive& archive, T& def) {
 
 template <typename Archive, Is<ribbon::Cord::Holder> T>
 void fields(Archive& archive, T& holder) {
-  auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid] = holder;
+  auto& [point, velocity, turning, acceleration, angular_acceleration, grip, pull, slid, slips] = holder;
   archive("point", point);
   archive("velocity", velocity);
   archive("turning", turning);
@@ -86,6 +86,7 @@ void fields(Archive& archive, T& holder) {
   archive("grip", grip);
   archive("pull", pull);
   archive("slid", slid);
+  archive("slips", slips);
 }
 
 template <typename Archive, Is<ribbon::Touch> T>
@@ -236,7 +237,7 @@ void fields(Archive& archive, T& segment) {
 
 template <typename Archive, Is<ribbon::Grip> T>
 void fields(Archive& archive, T& grip) {
-  auto& [point, body, offset, travel, along, climb, strength, returns, across, beside] = grip;
+  auto& [point, body, offset, travel, along, climb, strength, returns, across, beside, caught] = grip;
   archive("point", point);
   archive("body", body);
   archive("offset", offset);
@@ -247,6 +248,7 @@ void fields(Archive& archive, T& grip) {
   archive("returns", returns);
   archive("across", across);
   archive("beside", beside);
+  archive("caught", caught);
 }
 
 template <typename Archive, Is<ribbon::Support> T>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "ribbon/island/sleep.h"
 #include "ribbon/linear/index.h"
@@ -68,7 +69,8 @@ bool has_deep_inversion(const IslandState& state) {
 /// these ties again, unless they stretch a cord. In heaps, that solve is truncated. Where it leaves a cord
 /// stretched that nothing drives, and the budget is large, the step is taken by halves after all, and what they do not
 /// solve is kept. If turning inverted cells back gains much energy, they are left as they are, unless they are deeply
-/// inverted then.
+/// inverted then. Rings are for a step that Newton's method solves: without it, what has no points to be bent at would
+/// be stopped or stretched.
 IslandReport Island::step(std::span<const IslandCord> cords, std::span<const TiedPoint> tied,
                           std::span<RigidBody> bodies, double dt, Vec2 gravity, std::span<CordReport> reports) {
   assert(dt > 0.0 && dt <= 1.0 && is_finite(gravity));
@@ -86,6 +88,10 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
   pausing_newton_ = pauses_newton(cords, tied);
   if (pausing_newton_) bounds_.enlarge_for_linearised();
   bring_together(cords, tied);
+  const std::span<const IslandCord> given = cords;
+  rings_.begin_step();
+  cords = rings_.thread(given, tied, bodies, dt, !pausing_newton_);
+  bool found_begun = false;
   move_points_over_wheels(cords, tied, bodies, dt, true);
   ApartTies apart = ApartTies::drawn;
   int settled = 0;
@@ -99,6 +105,7 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
     state_.keeps_unsolved = keeps_unsolved;
     state_.turning_cells = state_.unlocking && !linearised && !truncates(linearised);
     const bool solved = take_substeps(linearised);
+    bool begins_to_slide = false;
     if (state_.ties.apart && (!solved || is_stretched_by_step(state_))) {
       apart = state_.ties.closing ? ApartTies::kept : ApartTies::released;
     } else if (!solved && state_.turning_gained) {
@@ -110,6 +117,8 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       linearised = true;
       apart = ApartTies::kept;
       bounds_.enlarge_for_linearised();
+    } else if (!linearised && !std::exchange(found_begun, true) && rings_.find_begun(state_, tied, bodies, dt)) {
+      begins_to_slide = true;
     } else if (linearised && !keeps_unsolved && work_.has_large_budget() && !state_.driven &&
                largest_strain(state_, state_.positions) > max_strain) {
       linearised = false;
@@ -118,11 +127,14 @@ IslandReport Island::step(std::span<const IslandCord> cords, std::span<const Tie
       break;
     }
     reset_rest_lengths(state_);
-    move_points_over_wheels(cords, tied, bodies, dt, false);
+    if (!solved || begins_to_slide) cords = rings_.undo();
+    if (begins_to_slide) cords = rings_.thread(given, tied, bodies, dt, true);
+    move_points_over_wheels(cords, tied, bodies, dt, begins_to_slide);
   }
   work_.report.work += contacts_.scene.candidates.take_checks();
   store_newton_pause(linearised);
   end_step();
+  rings_.take_off(state_);
   write_reports(reports);
   return work_.report;
 }
@@ -172,6 +184,7 @@ bool Island::take_substeps(bool linearised) {
   for (int n = 0; n < state_.accuracy.substeps; ++n) {
     if (n > 0 && follow_slips(state_, dt)) stages_.discard_pattern();
     if (!substeps_.take(context(), n * dt, dt, restitution_)) return false;
+    Rings::watch(state_);
   }
   return true;
 }

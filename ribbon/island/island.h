@@ -10,6 +10,7 @@
 #include "ribbon/island/integrators.h"
 #include "ribbon/island/linearised_step.h"
 #include "ribbon/island/restitution.h"
+#include "ribbon/island/rings.h"
 #include "ribbon/island/step_context.h"
 #include "ribbon/island/substeps.h"
 #include "ribbon/island_cord.h"
@@ -52,6 +53,7 @@ class Island {
   void resize(std::size_t slots, std::size_t tensions);
 
   IslandState state_;
+  Rings rings_;
   CandidateFinder candidates_;
   MotionBounds bounds_;
   Contacts contacts_;

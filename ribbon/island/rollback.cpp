@@ -10,7 +10,7 @@
 namespace ribbon {
 namespace {
 
-constexpr int max_halvings = 6;
+constexpr int max_reductions = 6;
 constexpr double max_gain = 1e-3;  // of the scene's energy
 
 }  // namespace
@@ -43,8 +43,8 @@ bool Rollback::apply(const StepContext& context, const CordEnergy& before, bool 
   if (!truncated) context.contacts.linearised.clear();
   state.taken_back = true;
   double share = 1.0;
-  for (int k = 0; k < max_halvings && !is_sound(); ++k) {
-    share = k + 1 < max_halvings ? 0.5 * share : 0.0;
+  for (int k = 0; k < max_reductions && !is_sound(); ++k) {
+    share = k + 1 < max_reductions ? 0.5 * share : 0.0;
     go_to(context, share);
   }
   // At the start, depths that were already there may hold more energy than the forces that the piece began with.
@@ -76,10 +76,10 @@ void Rollback::begin(const StepContext& context) {
 void Rollback::take_stretched_back(const StepContext& context) {
   IslandState& state = context.state;
   MotionGroups& groups = context.stages.groups();
-  for (int k = 0; k < max_halvings && is_stretched(state); ++k) {
+  for (int k = 0; k < max_reductions && is_stretched(state); ++k) {
     for (const Member& member : state.members) {
       if (!is_stretched(state, member)) continue;
-      groups.reduce(member.first_point, k + 1 < max_halvings ? 0.5 : 0.0);
+      groups.reduce(member.first_point, k + 1 < max_reductions ? 0.5 : 0.0);
     }
     groups.separate(context.contacts, state.start.positions, end_positions_);
     go_to(context, 1.0);

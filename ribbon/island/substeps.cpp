@@ -4,6 +4,7 @@
 
 #include "ribbon/cord_forces.h"
 #include "ribbon/island/momentum.h"
+#include "ribbon/system/cord_parts.h"
 
 namespace ribbon {
 namespace {
@@ -23,6 +24,11 @@ constexpr int max_first_halvings = 20;
 
 /// What the tolerance leaves in a stiff cord, times its tension, is energy too. It mostly goes with a hundredth of it.
 double smaller_tolerance(const IslandState& state) { return std::max(1e-2 * state.tolerance, state.min_tolerance); }
+
+bool has_rings(const IslandState& state) {
+  return std::any_of(state.members.begin(), state.members.end(),
+                     [](const Member& member) { return member.cord->has_rings; });
+}
 
 /// Returns to the start of a substep that gained energy, for a retry with another tolerance.
 void begin_retry(const StepContext& context, double tolerance) {
@@ -108,6 +114,7 @@ bool Substeps::take_second_order(const StepContext& context, double time, double
   IslandState& state = context.state;
   Contacts& contacts = context.contacts;
   if (state.accuracy.integrator == Integrator::implicit_euler || state.unlocking) return false;
+  if (has_rings(state)) return false;             // they begin anew in each step: the tensions would swing by as much
   if (state.jolted && time == 0.0) return false;  // one tension for all of the jolt, by which a cord slips or does not
   const bool in_contact = !contacts.empty() && contacts.active.any();
   const bool free = !in_contact && (contacts.empty() || !will_touch(context, time, dt));

@@ -157,6 +157,15 @@ Vec2 CordParts::holding_force(std::size_t point, Vec2 gravity) const {
   return -others;
 }
 
+double CordParts::mass_by_ring(std::size_t point) const {
+  if (def.rows > 1 || !state.rest_targets.empty()) return 0.0;
+  const double link = def.length / (def.points - 1);
+  double longer = 0.0;
+  if (point > 0) longer += state.rest[point - 1] - link;
+  if (point < state.rest.size()) longer += state.rest[point] - link;
+  return 0.5 * def.mass_per_length * longer;
+}
+
 CordEnergy CordParts::energy(Vec2 gravity) const {
   CordEnergy sum;
   sum.elastic = elasticity->energy(motion_of_tensions(), state.tensions);

@@ -14,9 +14,10 @@ namespace ribbon {
 
 /// How far a cord runs through a groove in the step, if its points there would not be enough.
 struct WheelReach {
-  double before = 0.0;  ///< m, towards its last point
-  double after = 0.0;   ///< m, towards its first one
-  bool blocks = false;  ///< it cannot run so far
+  double before = 0.0;    ///< m, towards its last point
+  double after = 0.0;     ///< m, towards its first one
+  bool blocks = false;    ///< it cannot run so far
+  int motor_changes = 0;  ///< times that its motor or brake was found to act otherwise than assumed
 };
 
 /// What a Cord consists of: the solver works on it directly. Whatever else changes a cord goes through Cord, which
@@ -47,6 +48,9 @@ struct CordParts {
   }
   /// Returns the positions, and the velocities whose damping the tensions include.
   Motion motion_of_tensions() const;
+  /// Returns the mass that a point has more because a hand near it has changed the rest lengths of its links, kg (see
+  /// island/rings.h); 0 for a ribbon, and for a rope that was reeled, of which they do not tell.
+  double mass_by_ring(std::size_t point) const;
   /// Returns the energies under `gravity` [m/s²].
   CordEnergy energy(Vec2 gravity) const;
   /// Returns the tension of a link, N; see tension_of.
@@ -83,6 +87,7 @@ struct CordParts {
   std::vector<double> own_rest_start, own_rest_end;  // the same without overstretched links; empty if none is
   std::vector<char> on_wheels;                       // by link: 1 if it is left to a wheel; empty without pulleys
   std::vector<WheelReach> reaches;                   // by pulley, in a step
+  bool has_rings = false;                            // in a step: its wheels are rings, see island/rings.h
   std::vector<int> outline;                          // the points around which the cord can be touched, in order
 
  private:

@@ -25,7 +25,7 @@ HeldBody make_grip(const IslandState& state, const Member& member, std::size_t i
   held.grip = index;
   held.rigid_index = grip.body;
   held.turns = body.inverse_inertia > 0.0;
-  held.strength = grip.strength;
+  if (!grip.caught) held.strength = grip.strength;
   held.across = grip.across;
   held.returns = grip.returns;
   held.beside = grip.beside;
@@ -107,7 +107,8 @@ void add_grips(IslandState& state, Member& member) {
   for (std::size_t k = 0; k < member.surroundings.grips.size(); ++k) {
     const Grip& grip = member.surroundings.grips[k];
     const RigidBody& body = state.rigid[at(grip.body)];
-    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0 || std::isfinite(grip.strength)) {
+    if (body.inverse_mass > 0.0 || grip.along != 0.0 || grip.climb != 0.0 ||
+        (std::isfinite(grip.strength) && !grip.caught)) {
       const HeldBody held = make_grip(state, member, k);
       const auto first = state.held.begin() + static_cast<std::ptrdiff_t>(member.first_grip);
       const auto after = std::upper_bound(first, state.held.end(), held.point,

@@ -41,6 +41,9 @@ struct HeldBody {
   double slip_force = 0.0;   ///< N, on the body along the cord, by that row
   double slid = 0.0;         ///< columns, slip along the cord in the step
   double slid_before = 0.0;  ///< columns, the part of it that the place has followed; see follow_slips
+  /// N, of a grip that a bend catches: by how much the tension behind it was greater than the one before it, where they
+  /// differed most at the end of a substep.
+  double pulled = 0.0;
   Vec2 beside;               ///< m, Grip::beside, in directions of the start of the step
 
   Vec2 arm_at(double angle) const;

@@ -73,6 +73,7 @@ void store_holders(const IslandState& state, const Member& member) {
     holder.grip = static_cast<int>(held.grip);
     holder.pull = grip_reaction(state, k);
     holder.slid = held.slid;
+    holder.slips = held.slid != 0.0;
     holders.push_back(holder);
   }
 }

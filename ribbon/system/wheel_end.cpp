@@ -12,6 +12,8 @@ namespace {
 
 constexpr double least_part = 0.1;      // of a link, that is left before or behind a wheel
 constexpr double overrun_margin = 1.2;  // of how far a cord ran that ran too far
+constexpr int max_motor_changes =
+    2;  // in a step, after which a wheel that its motor or brake cannot hold turns both ways
 constexpr double least_inertia = 1e-9;  // kg·m², of a wheel that turns on its own
 
 double limit_of_friction(const Pulley& pulley, double before, double after) {
@@ -89,18 +91,22 @@ bool settle_friction(const IslandState& state, std::size_t k, const WheelEnd& en
 }
 
 /// Returns whether the motor holds its speed, or gives its largest torque, as it was assumed to.
-bool settle_motor(const IslandState& state, const Wheel& wheel, const WheelEnd& end, Pulley& pulley) {
+bool settle_motor(const IslandState& state, const Wheel& wheel, const WheelEnd& end, Pulley& pulley,
+                  WheelReach& reach) {
   const PulleyDef& def = pulley.def;
   if (wheel.slip_sign != 0.0 || def.motor_torque == 0.0) return true;
   if (pulley.motor_sign != 0.0) {
-    if (pulley.motor_sign * (def.motor_speed - end.turning) >= 0.0) return true;
+    const bool both_ways = reach.motor_changes >= max_motor_changes;
+    if (both_ways || pulley.motor_sign * (def.motor_speed - end.turning) >= 0.0) return true;
     pulley.motor_sign = 0.0;
+    ++reach.motor_changes;
     return false;
   }
   const double torque =
       wheel.sense * wheel.radius * end.friction + def.inertia * (end.turning - pulley.turning) / state.dt;
   if (std::abs(torque) <= def.motor_torque) return true;
   pulley.motor_sign = std::copysign(1.0, torque);
+  ++reach.motor_changes;
   return false;
 }
 
@@ -132,7 +138,7 @@ bool settle_wheels(const IslandState& state) {
     const WheelEnd end = end_of(state, k);
     WheelReach& reach = state.members[wheel.member].cord->reaches[wheel.pulley];
     settled = settle_reach(state, k, reach) && settle_friction(state, k, end, pulley) &&
-              settle_motor(state, wheel, end, pulley) && settled;
+              settle_motor(state, wheel, end, pulley, reach) && settled;
   }
   return settled;
 }

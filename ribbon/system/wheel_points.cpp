@@ -256,12 +256,17 @@ class PointMover {
     return true;
   }
 
+  /// Returns whether a ring would have no point without this one.
+  bool is_last(int point) const {
+    return cord_.has_rings && pulley_.def.before + 1 == point && point + 1 == pulley_.def.after;
+  }
+
   bool let_go_before() {
     const int point = pulley_.def.before + 1;
     const TangentLine line = in();
     const double link = rest(point - 1);
     const double ahead = pulley_.lead - link;
-    if (point >= pulley_.def.after || !(ahead > margin_before(let_go, link, line))) return false;
+    if (point >= pulley_.def.after || is_last(point) || !(ahead > margin_before(let_go, link, line))) return false;
     place(point, pulley_.def.before, line, -ahead / pulley_.lead);
     pulley_.lead = ahead;
     pulley_.def.before = point;
@@ -274,7 +279,7 @@ class PointMover {
     const TangentLine line = out();
     const double link = rest(point);
     const double behind = trail() - link;
-    if (point <= pulley_.def.before || !(behind > margin_after(let_go, link, line))) return false;
+    if (point <= pulley_.def.before || is_last(point) || !(behind > margin_after(let_go, link, line))) return false;
     place(point, pulley_.def.after, line, behind / trail());
     pulley_.def.after = point;
     cord_.state.restart = true;

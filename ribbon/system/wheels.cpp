@@ -79,13 +79,15 @@ double along_wheel(const IslandState& state, const Wheel& wheel, Force&& force) 
 }
 
 /// The cord that turns around the wheel presses against it by μ·v² less, on either side, than its tension, down to
-/// nothing, and it may have a weight that its mass has not as a part of the body.
+/// nothing, and it may have a weight that its mass has not as a part of the body. A ring is around the cord, which also
+/// presses against its other side.
 Vec2 load_of(const IslandState& state, const Wheel& wheel) {
   const WheelSides sides = sides_of(state, wheel, state.positions);
   const double speed = state.velocities[state.groove_of(wheel)].x;
   const Pulley& pulley = pulley_of(state, wheel);
   const double tension = std::max(0.0, std::min(pulley.tension_before, pulley.tension_after));
-  const double flux = std::min(def_of(state, wheel).mass_per_length * speed * speed, tension);
+  const double turning = def_of(state, wheel).mass_per_length * speed * speed;
+  const double flux = state.members[wheel.member].cord->has_rings ? turning : std::min(turning, tension);
   const Vec2 fall = state.free_accelerations[state.center(wheel.solved_index)];
   Vec2 load = flux * (sides.before.line.along - sides.after.line.along);
   for (std::size_t p = wheel.before + 1; p < wheel.after; ++p) {

@@ -149,27 +149,5 @@ TEST(Grip, IsSlowedInABendByItsStrength) {
   }
 }
 
-/// Where two links rise from the point that it holds, it hangs, though its strength is small, and hangs still.
-TEST(Grip, HangsInABendThatItCannotLeave) {
-  for (const ribbon::Accuracy& accuracy :
-       {ribbon::Accuracy::fast(), ribbon::Accuracy::balanced(), ribbon::Accuracy::accurate()}) {
-    GripWorld scene;
-    CordDef def = hanging();
-    def.points = 3;
-    def.pins = {0, 2};
-    def.accuracy = accuracy;
-    def.positions = {{-3.0, 0.0}, {0.0, -4.0}, {3.0, 0.0}};
-    scene.coupling.add(Cord(def));
-    b2Body* body = scene.add_body({-1.5, -2.0}, 70.0);
-    const ribbon::box2d::GripId grip = scene.coupling.hold(*body, {.cord = 0, .arc = 2.5, .strength = 20.0});
-    scene.tick(600);
-    const ribbon::box2d::GripState state = scene.coupling.grip(grip).state();
-    EXPECT_NEAR(state.pull.y, 70.0 * g, 1.0);
-    EXPECT_NEAR(state.arc, 5.0, 1e-3);
-    EXPECT_LE(length(ribbon::box2d::to_double(body->GetWorldCenter()) - Vec2{0.0, -4.0}), 1e-3);
-    EXPECT_LE(length(scene.coupling.body(*body).velocity()), 1e-3);
-  }
-}
-
 }  // namespace
 }  // namespace engine

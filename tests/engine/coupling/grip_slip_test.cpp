@@ -109,20 +109,20 @@ TEST(Grip, GainsNoEnergyWhereItSlipsPastABend) {
     };
     double gain = 0.0;  // J, the largest of a tick
     double gap = 0.0;   // m
-    int passed = 0;     // points
+    double slid = 0.0;  // m
     scene.tick();
     for (int k = 0; k < 600; ++k) {
       const double before = energy();
-      const int point = scene.coupling.grip(grip).state().point;
+      const double arc = scene.coupling.grip(grip).state().arc;
       scene.tick();
       const ribbon::box2d::GripState now = scene.coupling.grip(grip).state();
-      passed += now.point != point ? 1 : 0;
+      slid += std::abs(now.arc - arc);
       gain = std::max(gain, energy() - before);
       gap = std::max(gap, length(ribbon::box2d::to_double(body->GetWorldPoint(hand)) - now.place));
     }
-    EXPECT_GT(passed, 5);
+    EXPECT_GT(slid, 2.0);
     EXPECT_LE(gain, 2e-3 * mass * g * def.length);
-    EXPECT_LE(gap, 0.25 * def.length / (def.points - 1)) << "off the cord in the tick in which it passes";
+    EXPECT_LE(gap, 1e-3);
   }
 }
 
@@ -170,56 +170,6 @@ TEST(Grip, SlipsOffAnEndPastAnotherThatSlips) {
   }
   scene.tick(10);
   for (const ribbon::box2d::GripId grip : grips) EXPECT_FALSE(scene.coupling.grip(grip).is_valid()) << grip;
-}
-
-/// A heavy body slides without friction on a slack rope nearly as a bead on an ellipse, whose foci are the ends of the
-/// rope. The bends of the rope slow it down, and may catch it before its lowest place. How much depends on where it
-/// meets them, so the mean of several lengths counts.
-TEST(Grip, SlidesOnASlackRopeNearlyAsABeadOnAnEllipse) {
-  const Vec2 end{10.0, -2.0};
-  const double span = length(end);
-  const Vec2 axis = (1.0 / span) * end;
-  for (const ribbon::Accuracy& accuracy :
-       {ribbon::Accuracy::fast(), ribbon::Accuracy::balanced(), ribbon::Accuracy::accurate()}) {
-    double speeds = 0.0;  // as shares of the bead's
-    for (const double length_of_rope : {11.6, 11.8, 12.0, 12.2, 12.4}) {
-      GripWorld scene;
-      CordDef def;
-      def.points = 41;
-      def.length = length_of_rope;
-      def.mass_per_length = 0.05;
-      def.pins = {0, 40};
-      def.accuracy = accuracy;
-      // The bead starts at rest at the sixth point, at the corner of a triangle whose base is between the ends.
-      const double side = 0.15 * length_of_rope;
-      const double other = 0.85 * length_of_rope;
-      const double along = (side * side - other * other + span * span) / (2.0 * span);
-      const Vec2 start = along * axis + std::sqrt(side * side - along * along) * Vec2{axis.y, -axis.x};
-      for (int i = 0; i < 41; ++i) {
-        def.positions.push_back(i < 6 ? (i / 6.0) * start : start + ((i - 6) / 34.0) * (end - start));
-      }
-      scene.coupling.add(Cord(def));
-      b2Body* body = scene.add_body(start, 70.0);
-      const ribbon::box2d::GripId grip = scene.coupling.hold(*body, {.cord = 0, .arc = side, .strength = 0.0});
-      // Lowest, both sides of the rope rise at the same angle, whose cosine is the span across over the length.
-      const double lowest = 0.5 * (end.y - std::sqrt(length_of_rope * length_of_rope - end.x * end.x));
-      const double top_speed = std::sqrt(2.0 * g * (start.y - lowest));
-      double fastest = 0.0;
-      for (int k = 0; k < 600; ++k) {
-        scene.tick();
-        const Vec2 center = ribbon::box2d::to_double(body->GetWorldCenter());
-        fastest = std::max(fastest, length(scene.coupling.body(*body).velocity()));
-        EXPECT_LE(length(center) + length(center - end) - length_of_rope, 0.25) << length_of_rope << ", tick " << k;
-        EXPECT_LE(length(center - scene.coupling.grip(grip).state().place), 0.5) << length_of_rope << ", tick " << k;
-      }
-      EXPECT_GE(fastest, 0.5 * top_speed) << length_of_rope;
-      EXPECT_LE(fastest, top_speed) << length_of_rope;
-      EXPECT_NEAR(body->GetPosition().y, lowest, 0.7) << length_of_rope;
-      EXPECT_LE(length(scene.coupling.body(*body).velocity()), 0.5) << length_of_rope;
-      speeds += fastest / top_speed / 5.0;
-    }
-    EXPECT_GE(speeds, 0.66);
-  }
 }
 
 /// With such angular velocities the motion is arbitrary, but a grip is at a place of its cord, and no tick throws.

@@ -71,8 +71,8 @@ TEST(SolverStep, RefusesInvalidTextWithAMessage) {
   EXPECT_EQ(refusal("{\"solver_step\": 2,").find("bad.json: not valid JSON: "), 0U);
   EXPECT_EQ(refusal("[]"), "bad.json: the file is an array; accepted is an object");
   EXPECT_EQ(refusal("{}"), "bad.json: solver_step is missing; accepted is a file with all fields");
-  EXPECT_EQ(refusal(text_with("\"solver_step\": 13", "\"solver_step\": 14")),
-            "bad.json: solver_step is version 14; accepted is 13");
+  EXPECT_EQ(refusal(text_with("\"solver_step\": 14", "\"solver_step\": 15")),
+            "bad.json: solver_step is version 15; accepted is 14");
   EXPECT_EQ(refusal(std::string(100, '[')), "bad.json: nested more than the 8 levels deep accepted");
 }
 

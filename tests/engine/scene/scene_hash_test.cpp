@@ -69,6 +69,7 @@ TEST(SceneHash, DependsOnEachPartOfADirectCordsState) {
       {"holders.grip", [](State& s) { s.holders[0].grip += 1; }},
       {"holders.pull", [](State& s) { s.holders[0].pull.x += 1e-9; }},
       {"holders.slid", [](State& s) { s.holders[0].slid += 1e-9; }},
+      {"holders.slips", [](State& s) { s.holders[0].slips = !s.holders[0].slips; }},
       {"holders", [](State& s) { s.holders.clear(); }},
       {"touches.other", [](State& s) { s.touches[0].other += 1; }},
       {"touches.feature", [](State& s) { s.touches[0].feature += 1; }},
