@@ -58,8 +58,8 @@ class Cord {
   Vec2 target(int point) const;
   /// Returns the mass of a point with what is attached to it, kg.
   double mass(int point) const;
-  /// Returns the rest length of the link from column i to column i + 1, m. Reels change it, and hands that slide along a
-  /// rope: a point that such a hand takes with it has longer and shorter links beside it.
+  /// Returns the rest length of the link from column i to column i + 1, m. Reels change it, and hands that slide along
+  /// a rope: a point that such a hand takes with it has longer and shorter links beside it.
   double rest_length(int i) const;
   /// Returns the tension above which a link breaks, N. Throws DefinitionError for an unknown link.
   double breaking_force(int link) const;

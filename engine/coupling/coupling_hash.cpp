@@ -240,7 +240,6 @@ void add(Hasher& hasher, const Cord::Holder& holder) {
   if (slips != (slid != 0.0)) hasher.add(slips);  // most slips are told by how far it slid
 }
 
-
 void add(Hasher& hasher, const Touch& touch) {
   const auto& [other, feature, other_feature, force, stuck, impulse, point, normal, push] = touch;
   hasher.add(other);

@@ -44,7 +44,7 @@ struct HeldBody {
   /// N, of a grip that a bend catches: by how much the tension behind it was greater than the one before it, where they
   /// differed most at the end of a substep.
   double pulled = 0.0;
-  Vec2 beside;               ///< m, Grip::beside, in directions of the start of the step
+  Vec2 beside;  ///< m, Grip::beside, in directions of the start of the step
 
   Vec2 arm_at(double angle) const;
   bool may_slip() const { return strength < std::numeric_limits<double>::infinity(); }

@@ -25,19 +25,19 @@ struct Zipline {
   Vec2 start;
   double length_of_rope;
 
-  Zipline(const ribbon::Accuracy& accuracy, int points, double length_, double strength, double mass_per_length = 0.05)
-      : length_of_rope(length_) {
+  Zipline(const ribbon::Accuracy& accuracy, int points, double whole, double strength, double mass_per_length = 0.05)
+      : length_of_rope(whole) {
     CordDef def;
     def.points = points;
-    def.length = length_;
+    def.length = whole;
     def.mass_per_length = mass_per_length;
     def.pins = {0, points - 1};
     def.accuracy = accuracy;
     const double span = length(end);
     const Vec2 axis = (1.0 / span) * end;
     const int first = static_cast<int>(std::lround(0.15 * (points - 1)));
-    const double side = length_ * first / (points - 1);
-    const double other = length_ - side;
+    const double side = whole * first / (points - 1);
+    const double other = whole - side;
     const double along = (side * side - other * other + span * span) / (2.0 * span);
     start = along * axis + std::sqrt(side * side - along * along) * Vec2{axis.y, -axis.x};
     for (int i = 0; i < points; ++i) {
@@ -58,8 +58,8 @@ struct Zipline {
   double lowest() const { return 0.5 * (end.y - std::sqrt(length_of_rope * length_of_rope - end.x * end.x)); }
 };
 
-/// Slid along the lines of its links, the body would get beside the rope, bounce from corner to corner, and reach 0.5 to
-/// 0.8 of this speed.
+/// Slid along the lines of its links, the body would get beside the rope, bounce from corner to corner, and reach 0.5
+/// to 0.8 of this speed.
 TEST(GripRing, SlidesOnASlackRopeAsABeadOnAnEllipse) {
   for (const ribbon::Accuracy& accuracy :
        {ribbon::Accuracy::fast(), ribbon::Accuracy::balanced(), ribbon::Accuracy::accurate()}) {
