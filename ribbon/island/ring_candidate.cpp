@@ -149,7 +149,6 @@ bool RingCandidate::is_alone(std::span<const IslandCord> cords, std::span<const 
     const CordParts& other = island_cord.cord->parts();
     if (&other == &parts || !other.meets(parts)) return false;
     for (std::size_t p = 0; p + at(other.def.rows) < other.size(); ++p) {
-      continue;  // the same part
       const double margin = other.def.radius + steps_ahead * dt * length(other.state.velocities[p]);
       const Vec2 next = other.state.positions[p + at(other.def.rows)];
       if (overlap(box_around(other.state.positions[p], next, margin), near)) return true;
@@ -174,9 +173,7 @@ Pulley RingCandidate::wheel() const {
   pulley.speed = speed;
   pulley.tension_before = undamped_tension(parts, taken_up - 1, length(anchor - before()), lead);
   pulley.tension_after = undamped_tension(parts, taken_up, length(after() - anchor), trail);
-  if (grip().strength > 0.0) {
-    pulley.motor_sign = std::copysign(1.0, -sense * runs);
-  }
+  if (grip().strength > 0.0) pulley.motor_sign = std::copysign(1.0, -sense * runs);
   return pulley;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ribbon/box2d/crossing.h"
 #include "ribbon/box2d/world_snapshot.h"
 #include "ribbon/cord_forces.h"
 #include "tests/engine/coupling/grip_world.h"
@@ -17,6 +18,15 @@ using ribbon::box2d::to_double;
 constexpr double mass = 70.0;
 const Vec2 end{10.0, -2.0};
 
+CordDef slack_rope(const ribbon::Accuracy& accuracy, int points = 41) {
+  CordDef def;
+  def.points = points;
+  def.length = 12.0;
+  def.mass_per_length = 0.05;
+  def.accuracy = accuracy;
+  return def;
+}
+
 /// A body on a slack rope between two pins. As long as the rope is taut it is on an ellipse whose foci are the pins.
 struct Zipline {
   GripWorld scene;
@@ -25,17 +35,10 @@ struct Zipline {
   Vec2 start;
   double length_of_rope;
 
-  Zipline(const ribbon::Accuracy& accuracy, int points, double whole, double strength, double mass_per_length = 0.05,
-          double stiffness = std::numeric_limits<double>::infinity(), double damping = 0.0)
-      : length_of_rope(whole) {
-    CordDef def;
-    def.points = points;
-    def.length = whole;
-    def.mass_per_length = mass_per_length;
-    def.stretch_stiffness = stiffness;
-    def.damping = damping;
+  Zipline(CordDef def, double strength) : length_of_rope(def.length) {
+    const int points = def.points;
+    const double whole = def.length;
     def.pins = {0, points - 1};
-    def.accuracy = accuracy;
     const double span = length(end);
     const Vec2 axis = (1.0 / span) * end;
     const int first = static_cast<int>(std::lround(0.15 * (points - 1)));
@@ -67,7 +70,7 @@ TEST(GripRing, SlidesOnASlackRopeAsABeadOnAnEllipse) {
   for (const ribbon::Accuracy& accuracy :
        {ribbon::Accuracy::fast(), ribbon::Accuracy::balanced(), ribbon::Accuracy::accurate()}) {
     for (const int points : {21, 41, 81}) {
-      Zipline line(accuracy, points, 12.0, 0.0);
+      Zipline line(slack_rope(accuracy, points), 0.0);
       const double top_speed = std::sqrt(2.0 * g * (line.start.y - line.lowest()));
       double fastest = 0.0;
       double farthest = 0.0;
@@ -88,8 +91,8 @@ TEST(GripRing, SlidesOnASlackRopeAsABeadOnAnEllipse) {
 /// Friction takes its strength times the way along the rope, which the arc tells.
 TEST(GripRing, LosesItsStrengthTimesItsWay) {
   for (const double strength : {20.0, 100.0}) {
-    Zipline line(ribbon::Accuracy::balanced(), 41, 12.0, strength);
-    Zipline without(ribbon::Accuracy::balanced(), 41, 12.0, 0.0);
+    Zipline line(slack_rope(ribbon::Accuracy::balanced()), strength);
+    Zipline without(slack_rope(ribbon::Accuracy::balanced()), 0.0);
     const double begin = line.state().arc;
     line.scene.tick(75);
     while (without.state().arc < line.state().arc) without.scene.tick();
@@ -107,7 +110,7 @@ TEST(GripRing, LosesItsStrengthTimesItsWay) {
 TEST(GripRing, ComesToRestWhereItHolds) {
   for (const ribbon::Accuracy& accuracy :
        {ribbon::Accuracy::fast(), ribbon::Accuracy::balanced(), ribbon::Accuracy::accurate()}) {
-    Zipline line(accuracy, 41, 12.0, 150.0);
+    Zipline line(slack_rope(accuracy), 150.0);
     line.scene.tick(900);
     EXPECT_LE(line.speed(), 1e-3);
     EXPECT_FALSE(line.state().slips);
@@ -123,7 +126,9 @@ TEST(GripRing, ComesToRestWhereItHolds) {
 
 /// The point where the hand is has parts of links on both sides, which are as long as two links.
 TEST(GripRing, KeepsLengthAndMassOfTheRope) {
-  Zipline line(ribbon::Accuracy::fast(), 41, 12.0, 0.0, 1.0);
+  CordDef rope = slack_rope(ribbon::Accuracy::fast());
+  rope.mass_per_length = 1.0;
+  Zipline line(rope, 0.0);
   for (int k = 0; k < 120; ++k) {
     line.scene.tick();
     const Cord& cord = line.cord();
@@ -186,7 +191,7 @@ TEST(GripRing, KeepsTheMomentumOfAFreeRopeAndItsHands) {
 
 /// On a wheel a rope would touch nothing. The hand stops in a bend instead, and nothing is crossed.
 TEST(GripRing, IsNotWhereSomethingMayTouchTheRope) {
-  Zipline line(ribbon::Accuracy::balanced(), 41, 12.0, 0.0);
+  Zipline line(slack_rope(ribbon::Accuracy::balanced()), 0.0);
   b2BodyDef definition;
   definition.position = {4.0F, -4.2F};
   b2PolygonShape box;
@@ -204,9 +209,40 @@ TEST(GripRing, IsNotWhereSomethingMayTouchTheRope) {
   EXPECT_TRUE(slid_on);
 }
 
+/// The same where another rope is in the way, which is taut between two pins: no link of one gets through the other.
+TEST(GripRing, IsNotWhereAnotherRopeMayTouchTheRope) {
+  CordDef rope = slack_rope(ribbon::Accuracy::balanced());
+  rope.radius = 0.02;
+  rope.cord_contact = true;
+  Zipline line(rope, 0.0);
+  CordDef def;
+  def.points = 9;
+  def.length = 0.8;
+  def.radius = 0.02;
+  def.mass_per_length = 0.5;
+  def.cord_contact = true;
+  def.pins = {0, 8};
+  for (int i = 0; i < 9; ++i) def.positions.push_back({3.6 + 0.1 * i, -3.9});
+  line.scene.coupling.add(Cord(def));
+  bool slid_on = false;
+  for (int k = 0; k < 300; ++k) {
+    line.scene.tick();
+    const auto taut = line.scene.coupling.cord(1).positions();
+    const auto slack = line.cord().positions();
+    for (std::size_t i = 0; i + 1 < slack.size(); ++i) {
+      for (std::size_t j = 0; j + 1 < taut.size(); ++j) {
+        ASSERT_FALSE(ribbon::box2d::crossing(slack[i], slack[i + 1], taut[j], taut[j + 1]))
+            << k << ": " << i << ", " << j;
+      }
+    }
+    slid_on = slid_on || line.center().x > 3.0;
+  }
+  EXPECT_TRUE(slid_on);
+}
+
 /// A state that is saved while the hand slides is continued with the same bits.
 TEST(GripRing, ContinuesASavedStateWithTheSameBits) {
-  Zipline line(ribbon::Accuracy::balanced(), 41, 12.0, 10.0);
+  Zipline line(slack_rope(ribbon::Accuracy::balanced()), 10.0);
   line.scene.tick(40);
   ASSERT_TRUE(line.state().slips);
   ribbon::box2d::WorldSnapshot snapshot;
@@ -222,7 +258,9 @@ TEST(GripRing, ContinuesASavedStateWithTheSameBits) {
 
 /// A mass that is attached while the hand is between two points adds to what the rope has there.
 TEST(GripRing, LeavesTheRightMassesWhereOneIsAttached) {
-  Zipline line(ribbon::Accuracy::fast(), 41, 12.0, 0.0, 1.0);
+  CordDef rope = slack_rope(ribbon::Accuracy::fast());
+  rope.mass_per_length = 1.0;
+  Zipline line(rope, 0.0);
   line.scene.tick(40);
   const int point = line.state().point;
   ribbon::Cord& cord = line.scene.coupling.cord(0).direct();
@@ -237,7 +275,7 @@ TEST(GripRing, LeavesTheRightMassesWhereOneIsAttached) {
 
 /// Let go in a fold, the rope swings on, no faster than it was.
 TEST(GripRing, LetsGoInAFoldWithoutAJolt) {
-  Zipline line(ribbon::Accuracy::balanced(), 41, 12.0, 0.0);
+  Zipline line(slack_rope(ribbon::Accuracy::balanced()), 0.0);
   line.scene.tick(50);
   const auto energy = [&] { return energy_of(line.cord(), {0.0, -g}).total(); };
   const double before = energy();
@@ -251,7 +289,10 @@ TEST(GripRing, LetsGoInAFoldWithoutAJolt) {
 /// The links beside the hand are damped again after the step, at the speed at which they stretch. Were their tensions
 /// those of the wheel, which is not damped, the energy of the rope would jump by 100 J.
 TEST(GripRing, GainsNoEnergyOnADampedRope) {
-  Zipline line(ribbon::Accuracy::balanced(), 41, 12.0, 20.0, 0.05, 1e5, 0.05);
+  CordDef rope = slack_rope(ribbon::Accuracy::balanced());
+  rope.stretch_stiffness = 1e5;
+  rope.damping = 0.05;
+  Zipline line(rope, 20.0);
   const auto energy = [&] {
     return 0.5 * mass * line.speed() * line.speed() + mass * g * line.center().y +
            energy_of(line.cord(), {0.0, -g}).total();
