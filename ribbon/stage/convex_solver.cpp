@@ -24,11 +24,15 @@ void ConvexSolver::reserve(std::size_t rows, std::size_t right_side) {
   load_.reserve(right_side);
 }
 
-ConvexSolver::Result ConvexSolver::solve(const StageContext& context, const Stage& stage, bool far) {
+ConvexSolver::Result ConvexSolver::solve(const StageContext& context, const Stage& stage, bool far, Method first) {
   context.newton.system().make_pattern(context.state, rows_);
   active_set_.begin(rows_.rows());
-  Result result = solve_active_sets(context, stage) ? Result::exact : Result::failed;
-  if (result == Result::failed) result = solve_interior(context, stage, far);
+  Result result = Result::exact;
+  last_method_ = Method::active_sets;
+  if (first == Method::interior_point || !solve_active_sets(context, stage)) {
+    last_method_ = Method::interior_point;
+    result = solve_interior(context, stage, far);
+  }
   if (result == Result::failed) return result;
   return context.newton.take_solution(context.state, stage) ? result : Result::failed;
 }

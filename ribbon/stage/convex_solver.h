@@ -14,13 +14,17 @@ namespace ribbon {
 class ConvexSolver {
  public:
   enum class Result { failed, near, exact };
+  /// What a solve begins with.
+  enum class Method { active_sets, interior_point };
 
   LimitedRows& rows() { return rows_; }
   const LimitedRows& rows() const { return rows_; }
   void reserve(std::size_t rows, std::size_t right_side);
   /// Finds the step of the problem about the current positions, and the tensions after it. With `far` from where the
   /// linearisations end, it need not be exact.
-  Result solve(const StageContext& context, const Stage& stage, bool far);
+  Result solve(const StageContext& context, const Stage& stage, bool far, Method first);
+  /// Returns what ended the last solve that was not truncated.
+  Method last_method() const { return last_method_; }
   /// Finds the step by a few active sets, whether the last of them is that of the solution or not. Returns false if the
   /// matrix is not definite or the step not finite.
   bool solve_truncated(const StageContext& context, const Stage& stage);
@@ -34,6 +38,7 @@ class ConvexSolver {
   LimitedRows rows_;
   ActiveSet active_set_;
   InteriorPoint interior_point_;
+  Method last_method_ = Method::active_sets;
   std::vector<Vec2> load_;  // the right-hand side without the rows, or a solution
 };
 

@@ -154,7 +154,12 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
     if (k == full_linearisations && return_to_best(context, stage)) append_rows(context, stage);
   }
   const bool far = k < contact_searches && result.position_error > far_share * state.tolerance;
-  const ConvexSolver::Result solved = solver_.solve(context, stage, far);
+  // Where active sets did not lead to the solution, they do next time in one of eight linearisations while contacts are
+  // looked for, and in two of three once they are fixed. The third change of contacts is the last.
+  const bool sets_will_fail =
+      k > 0 && k <= contact_searches && solver_.last_method() == ConvexSolver::Method::interior_point;
+  const auto first = sets_will_fail ? ConvexSolver::Method::interior_point : ConvexSolver::Method::active_sets;
+  const ConvexSolver::Result solved = solver_.solve(context, stage, far, first);
   if (solved == ConvexSolver::Result::failed) {
     // The tensions of what was torn apart make a matrix that is definite in no precision: once without them.
     if (k > 0) return Iteration::ended;
