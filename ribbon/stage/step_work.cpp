@@ -19,10 +19,12 @@ constexpr double total_attempts_share = 0.5;
 constexpr double halving_share = 0.5;
 constexpr int max_halving_systems = 180;
 // A linearised step: linear systems, or the share of the work, after which no piece is redone; and so many more, after
-// which none is linearised again.
+// which none is linearised again. Where the step was tried more than once before, fewer, down to these.
 constexpr int max_linearised_systems = 70;
+constexpr int min_linearised_systems = 40;
 constexpr double linearised_share = 0.5;
 constexpr int max_last_systems = 45;
+constexpr int min_last_systems = 30;
 
 }  // namespace
 
@@ -38,7 +40,12 @@ void StepWork::begin_attempt(const IslandState& state) {
               max_work_factor_;
 }
 
-void StepWork::begin_linearised() { linearised_iterations_ = report.iterations; }
+void StepWork::begin_linearised() {
+  const int more = std::max(0, report.iterations - static_cast<int>(scale_ * max_attempt_systems));
+  last_redone_ = report.iterations + std::max(min_linearised_systems, max_linearised_systems - more);
+  const int most = max_linearised_systems + max_last_systems;
+  last_linearised_ = report.iterations + std::max(min_linearised_systems + min_last_systems, most - more);
+}
 
 void StepWork::count_system(std::size_t blocks, std::int64_t tested_pairs) {
   ++report.iterations;
@@ -65,12 +72,12 @@ bool StepWork::halving_is_over(bool unlocking) const {
 }
 
 bool StepWork::redoing_is_over() const {
-  return report.iterations >= linearised_iterations_ + max_linearised_systems ||
+  return report.iterations >= last_redone_ ||
          has_spent(has_large_budget() ? 1.0 : linearised_share);
 }
 
 bool StepWork::linearising_is_over() const {
-  return report.iterations >= linearised_iterations_ + max_linearised_systems + max_last_systems || has_spent();
+  return report.iterations >= last_linearised_ || has_spent();
 }
 
 }  // namespace ribbon

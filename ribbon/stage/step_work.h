@@ -46,7 +46,9 @@ class StepWork {
   double max_work_ = 0.0;         // in the unit of IslandReport::work
   int attempt_iterations_ = 0;    // of the report when the attempt began
   std::int64_t attempt_work_ = 0;
-  int linearised_iterations_ = 0;  // of the report when linearising began
+  // Of the report, after which no piece of a linearised step is redone, and none is linearised again.
+  int last_redone_ = 0;
+  int last_linearised_ = 0;
 };
 
 }  // namespace ribbon
