@@ -72,12 +72,9 @@ bool StepWork::halving_is_over(bool unlocking) const {
 }
 
 bool StepWork::redoing_is_over() const {
-  return report.iterations >= last_redone_ ||
-         has_spent(has_large_budget() ? 1.0 : linearised_share);
+  return report.iterations >= last_redone_ || has_spent(has_large_budget() ? 1.0 : linearised_share);
 }
 
-bool StepWork::linearising_is_over() const {
-  return report.iterations >= last_linearised_ || has_spent();
-}
+bool StepWork::linearising_is_over() const { return report.iterations >= last_linearised_ || has_spent(); }
 
 }  // namespace ribbon

@@ -14,7 +14,7 @@ constexpr std::array<BitScene, 14> scenes = {{
     {"ropes", build_ropes, drive_ropes, 180, 0x2313949e21ff234e},
     {"terms", build_terms, nullptr, 180, 0x1f093ee30310663a},
     {"ribbons", build_ribbons, nullptr, 180, 0x52e54ab7661cc2f6},
-    {"contacts", build_contacts, nullptr, 150, 0x66e37ec1fa796c77},
+    {"contacts", build_contacts, nullptr, 150, 0x9e5f509e45353bf7},
     {"grips", build_grips, drive_grips, 180, 0x2618f57b13e70fd7},
     {"self_contact", build_self_contact, nullptr, 80, 0xf8290d85e2ffc407},
     {"thesis", build_thesis, drive_thesis, 180, 0x73170f821532aa5a},

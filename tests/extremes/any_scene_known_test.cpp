@@ -120,6 +120,9 @@ const Known scenes[] = {
     {"WhatWasStretchedIsReeledInBetweenHands", wild(Family::hold_points, 53, Preset::accurate),
      "stretch after a second", late_stretch, 1e-2},
     {"WhatWasStretchedDoesNotHang", wild(Family::hold_points, 53, Preset::accurate), "ticks that hang", hanging, 20},
+    {"WhatNeededTheInteriorPointBeginsWithIt", gentle(Family::rope_self, 68, Preset::balanced), "unconverged substeps",
+     unconverged, 3},
+    {"SeveralAttemptsLeaveFewerSystems", gentle(Family::tied, 29, Preset::accurate), "systems in a tick", work, 330},
     {"WhatTouchesNothingIsPosedInTheEnd", wild(Family::hold_points, 9, Preset::fast), "systems in a tick", work, 400},
 };
 
