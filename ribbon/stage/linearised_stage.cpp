@@ -154,8 +154,8 @@ LinearisedStage::Iteration LinearisedStage::iterate(const StageContext& context,
     if (k == full_linearisations && return_to_best(context, stage)) append_rows(context, stage);
   }
   const bool far = k < contact_searches && result.position_error > far_share * state.tolerance;
-  // Where active sets did not lead to the solution, they do next time in one of eight linearisations while contacts are
-  // looked for, and in two of three once they are fixed. The third change of contacts is the last.
+  // Where active sets did not lead to the solution, they do next time in one of eight linearisations, up to the first
+  // one with contacts that are fixed, and in two of three after it.
   const bool sets_will_fail =
       k > 0 && k <= contact_searches && solver_.last_method() == ConvexSolver::Method::interior_point;
   const auto first = sets_will_fail ? ConvexSolver::Method::interior_point : ConvexSolver::Method::active_sets;
