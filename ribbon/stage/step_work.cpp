@@ -19,7 +19,8 @@ constexpr double total_attempts_share = 0.5;
 constexpr double halving_share = 0.5;
 constexpr int max_halving_systems = 180;
 // A linearised step: linear systems, or the share of the work, after which no piece is redone; and so many more, after
-// which none is linearised again. Where the step was tried more than once before, fewer, down to these.
+// which none is linearised again. Where the step was tried more than once before, fewer, down to these, unless the
+// budget is large.
 constexpr int max_linearised_systems = 70;
 constexpr int min_linearised_systems = 40;
 constexpr double linearised_share = 0.5;
@@ -41,7 +42,8 @@ void StepWork::begin_attempt(const IslandState& state) {
 }
 
 void StepWork::begin_linearised() {
-  const int more = std::max(0, report.iterations - static_cast<int>(scale_ * max_attempt_systems));
+  const int usual = static_cast<int>(scale_ * max_attempt_systems);
+  const int more = has_large_budget() ? 0 : std::max(0, report.iterations - usual);
   last_redone_ = report.iterations + std::max(min_linearised_systems, max_linearised_systems - more);
   const int most = max_linearised_systems + max_last_systems;
   last_linearised_ = report.iterations + std::max(min_linearised_systems + min_last_systems, most - more);
