@@ -14,7 +14,7 @@ namespace ribbon {
 class ConvexSolver {
  public:
   enum class Result { failed, near, exact };
-  /// What a solve begins with.
+  /// What a solve begins with, and what ends it.
   enum class Method { active_sets, interior_point };
 
   LimitedRows& rows() { return rows_; }
